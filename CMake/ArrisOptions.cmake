@@ -1,0 +1,29 @@
+# What a user may choose, and how everything is compiled.
+
+option(ARRIS_BUILD_PYTHON "Wrap the filters for Python" ON)
+option(ARRIS_BUILD_TOOLS "Build the arris program" ON)
+option(ARRIS_BUILD_TESTING "Build the tests" ON)
+option(ARRIS_BUILD_PLUGIN "Build for ParaView's VTK, with the ParaView plugin" OFF)
+option(ARRIS_WARNINGS_AS_ERRORS "Stop at any compiler warning" OFF)
+
+set(BUILD_SHARED_LIBS ON) # Python can import nothing else
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug, RelWithDebInfo or MinSizeRel" FORCE)
+endif ()
+
+include(GNUInstallDirs)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+
+# Contraction of a*b + c to one rounding differs between compilers and processors; without it the
+# same input gives the same bytes on all of them.
+set(ARRIS_COMPILE_OPTIONS -Wall -Wextra -Wshadow -ffp-contract=off)
+if (ARRIS_WARNINGS_AS_ERRORS)
+  list(APPEND ARRIS_COMPILE_OPTIONS -Werror)
+endif ()

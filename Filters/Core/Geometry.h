@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Geometry.h
+/// Closed-form geometry of single triangles, and of angles as the paper writes them.
+
+#ifndef arris_Geometry_h
+#define arris_Geometry_h
+
+#include "Mesh.h"
+
+#include "ArrisFiltersModule.h" // for the export macro
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace arris
+{
+constexpr double Pi = 3.14159265358979323846;
+
+/// The three corner positions of a triangle.
+struct Corners
+{
+  Vec3 A, B, C;
+
+  Corners(const Mesh& mesh, Index triangle)
+    : A(mesh.Points[mesh.Triangles[triangle][0]])
+    , B(mesh.Points[mesh.Triangles[triangle][1]])
+    , C(mesh.Points[mesh.Triangles[triangle][2]])
+  {
+  }
+  Corners(const Vec3& a, const Vec3& b, const Vec3& c)
+    : A(a)
+    , B(b)
+    , C(c)
+  {
+  }
+
+  /// Normal to the triangle, twice its area long.
+  Vec3 AreaVector() const { return (this->B - this->A).cross(this->C - this->A); }
+  Vec3 Centroid() const { return (this->A + this->B + this->C) / 3.0; }
+};
+
+/// The square of the distance from a point to a triangle: to the point set, not to the plane.
+ARRISFILTERS_EXPORT double SquaredDistance(const Vec3& point, const Corners& triangle);
+
+/// The unit normal of each triangle; zero where a triangle is so flat (its height under
+/// `SliverHeight` of its mesh's average edge length) that rounding decides where it looks.
+ARRISFILTERS_EXPORT std::vector<Vec3> UnitNormals(const Mesh& mesh, double averageEdgeLength);
+
+/// The least height of a triangle whose normal is believed, as a part of the average edge length.
+/// Contours are full of slivers that are exact but for the rounding of their single-precision
+/// points (about 1e-6 of an edge): at a thousandth of an edge that rounding turns them by 0.1°.
+constexpr double SliverHeight = 1e-3;
+
+/// The paper's second-order difference 1 - n1.n2 of an angle between two normals, and back;
+/// degrees. For unit normals the difference is half the square of the chord between them.
+inline double DifferenceOfAngle(double degrees)
+{
+  const double half = std::sin(0.5 * degrees * Pi / 180.0);
+  return 2.0 * half * half; // 1 - cos, without its cancellation
+}
+inline double AngleOfDifference(double difference)
+{
+  return 2.0 * std::asin(std::sqrt(std::min(1.0, 0.5 * difference))) * 180.0 / Pi;
+}
+}
+
+#endif

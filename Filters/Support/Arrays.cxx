@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Arrays.h"
+
+#include "Core/Geometry.h"
+#include "Core/Thinning.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+
+namespace arris
+{
+namespace
+{
+/// Adds a point array whose value at v is valueAt(v).
+template <typename ArrayType, typename ValueAt>
+void AddPointArray(vtkPolyData* output, const char* name, ValueAt&& valueAt)
+{
+  const vtkIdType count = output->GetNumberOfPoints();
+  vtkNew<ArrayType> values;
+  values->SetName(name);
+  values->SetNumberOfValues(count);
+  for (vtkIdType v = 0; v < count; ++v)
+  {
+    values->SetValue(v, valueAt(v));
+  }
+  output->GetPointData()->AddArray(values);
+}
+}
+
+std::string ReadPointValues(
+  vtkDataArray* array, const char* name, vtkPolyData* input, std::vector<double>& values)
+{
+  const vtkIdType count = input->GetNumberOfPoints();
+  if (array == nullptr)
+  {
+    return std::string("the input has no point array ") + name;
+  }
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
+  {
+    return std::string("the point array ") + name + " must hold one number a point";
+  }
+  values.resize(count);
+  for (vtkIdType v = 0; v < count; ++v)
+  {
+    values[v] = array->GetComponent(v, 0);
+    if (!std::isfinite(values[v]))
+    {
+      return std::string("the point array ") + name + " is not finite at point " +
+        std::to_string(v);
+    }
+  }
+  return {};
+}
+
+std::string ReadThinningRounds(vtkDataArray* array, vtkPolyData* input, std::vector<int>& rounds)
+{
+  std::vector<double> values;
+  const std::string problem = ReadPointValues(array, array::ThinningRound, input, values);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  rounds.resize(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    // No thinning takes more rounds than there are vertices.
+    const bool isRound = values[v] == NeverSharp ||
+      (values[v] >= 1.0 && values[v] <= static_cast<double>(values.size()) + 1.0 &&
+        values[v] == std::floor(values[v]));
+    if (!isRound)
+    {
+      return std::string("the point array ") + array::ThinningRound + " must hold -1, or rounds " +
+        "from 1 up to the number of points; at point " + std::to_string(v) + " it is " +
+        std::to_string(values[v]);
+    }
+    rounds[v] = static_cast<int>(values[v]);
+  }
+  return {};
+}
+
+Flags NonZero(const std::vector<double>& values)
+{
+  Flags flags(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    flags[i] = values[i] != 0.0 ? 1 : 0;
+  }
+  return flags;
+}
+
+void AddClassification(vtkPolyData* output, const std::vector<double>& normalDifferences,
+  double windowRadius, const Flags& sharpRegion)
+{
+  AddPointArray<vtkDoubleArray>(output, array::Ussod,
+    [&](vtkIdType v) { return windowRadius > 0.0 ? normalDifferences[v] / windowRadius : 0.0; });
+  AddPointArray<vtkDoubleArray>(output, array::NormalDeviation,
+    [&](vtkIdType v) { return AngleOfDifference(normalDifferences[v]); });
+  AddPointArray<vtkUnsignedCharArray>(
+    output, array::SharpRegion, [&](vtkIdType v) { return sharpRegion[v]; });
+}
+
+void AddThinning(
+  vtkPolyData* output, const std::vector<int>& rounds, const std::vector<SkeletonRole>& roles)
+{
+  AddPointArray<vtkIntArray>(output, array::ThinningRound, [&](vtkIdType v) { return rounds[v]; });
+  AddPointArray<vtkUnsignedCharArray>(
+    output, array::SkeletonRole, [&](vtkIdType v) { return static_cast<unsigned char>(roles[v]); });
+}
+
+void AddCurveArrays(vtkPolyData* lines, const std::vector<Curve>& curves,
+  const std::vector<FeatureEdge>& sortedFeatures, const std::vector<Vec3>& points)
+{
+  const vtkIdType count = static_cast<vtkIdType>(curves.size());
+  vtkNew<vtkIntArray> ids;
+  vtkNew<vtkDoubleArray> angles;
+  vtkNew<vtkDoubleArray> lengths;
+  ids->SetName(array::CurveId);
+  angles->SetName(array::DihedralAngle);
+  lengths->SetName(array::CurveLength);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double length = 0.0;
+    double angle = 0.0;
+    for (std::size_t j = 0; j + 1 < curves[i].size(); ++j)
+    {
+      const Index a = curves[i][j];
+      const Index b = curves[i][j + 1];
+      const double step = (points[b] - points[a]).norm();
+      length += step;
+      angle += step * FindFeature(sortedFeatures, a, b)->DihedralAngle;
+    }
+    ids->InsertNextValue(static_cast<int>(i));
+    lengths->InsertNextValue(length);
+    angles->InsertNextValue(length > 0.0 ? angle / length : 0.0);
+  }
+  lines->GetCellData()->AddArray(ids);
+  lines->GetCellData()->AddArray(angles);
+  lines->GetCellData()->AddArray(lengths);
+}
+
+void AddSurfaceIds(
+  vtkPolyData* output, const std::vector<Index>& ids, const std::vector<vtkIdType>& cells)
+{
+  vtkNew<vtkIntArray> surfaceIds;
+  surfaceIds->SetName(array::SurfaceId);
+  surfaceIds->SetNumberOfValues(output->GetNumberOfCells());
+  surfaceIds->FillValue(NoIndex);
+  for (std::size_t t = 0; t < ids.size(); ++t)
+  {
+    surfaceIds->SetValue(cells[t], ids[t]);
+  }
+  output->GetCellData()->AddArray(surfaceIds);
+}
+
+void AddDisplacement(vtkPolyData* output, const std::vector<Vec3>& before)
+{
+  vtkNew<vtkDoubleArray> displacement;
+  displacement->SetName(array::Displacement);
+  displacement->SetNumberOfComponents(3);
+  displacement->SetNumberOfTuples(output->GetNumberOfPoints());
+  for (vtkIdType v = 0; v < output->GetNumberOfPoints(); ++v)
+  {
+    Vec3 now;
+    output->GetPoint(v, now.data());
+    const Vec3 step = now - before[v];
+    displacement->SetTuple(v, step.data());
+  }
+  output->GetPointData()->AddArray(displacement);
+}
+
+void AddFieldValue(vtkPolyData* output, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->GetFieldData()->AddArray(array);
+}
+
+double FieldValue(vtkPolyData* input, const char* name, double otherwise)
+{
+  vtkDataArray* array = input->GetFieldData()->GetArray(name);
+  return array != nullptr && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : otherwise;
+}
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Arrays.h
+/// The arrays that Arris' filters add and read: their names are part of its interface.
+
+#ifndef arris_Arrays_h
+#define arris_Arrays_h
+
+#include "Core/Curves.h"
+#include "Core/FeatureEdges.h"
+#include "Core/Skeleton.h"
+#include "Core/Types.h"
+
+#include <vtkType.h>
+
+#include <string>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace arris
+{
+namespace array
+{
+constexpr const char* Ussod = "USSOD";
+constexpr const char* NormalDeviation = "NormalDeviation";
+constexpr const char* SharpRegion = "SharpRegion";
+constexpr const char* ThinningRound = "ThinningRound";
+constexpr const char* SkeletonRole = "SkeletonRole";
+constexpr const char* Displacement = "Displacement";
+constexpr const char* SurfaceId = "SurfaceId";
+constexpr const char* DihedralAngle = "DihedralAngle";
+constexpr const char* CurveId = "CurveId";
+constexpr const char* CurveLength = "Length";
+constexpr const char* Valence = "Valence";
+constexpr const char* Lambda = "Lambda";
+constexpr const char* SharpAngle = "SharpAngle";
+constexpr const char* AverageEdgeLength = "AverageEdgeLength";
+constexpr const char* ClassificationSeconds = "ClassificationSeconds";
+constexpr const char* ThinningSeconds = "ThinningSeconds";
+constexpr const char* SharpeningSeconds = "SharpeningSeconds";
+}
+
+/// Reads one number a point from an array that a filter was told to use; what is wrong with it, or
+/// nothing. `name` is what the array is called unless the user chose another.
+std::string ReadPointValues(
+  vtkDataArray* array, const char* name, vtkPolyData* input, std::vector<double>& values);
+
+/// Reads the rounds of thinning as ThinningRounds gives them; what is wrong with them, or nothing.
+std::string ReadThinningRounds(vtkDataArray* array, vtkPolyData* input, std::vector<int>& rounds);
+
+/// 1 where a value is not 0.
+Flags NonZero(const std::vector<double>& values);
+
+/// USSOD, NormalDeviation and SharpRegion on points, from λτ and the window radius λ.
+void AddClassification(vtkPolyData* output, const std::vector<double>& normalDifferences,
+  double windowRadius, const Flags& sharpRegion);
+
+/// ThinningRound and SkeletonRole on points.
+void AddThinning(
+  vtkPolyData* output, const std::vector<int>& rounds, const std::vector<SkeletonRole>& roles);
+
+/// CurveId, DihedralAngle (mean by length) and Length on the cells of `lines`, one a curve.
+void AddCurveArrays(vtkPolyData* lines, const std::vector<Curve>& curves,
+  const std::vector<FeatureEdge>& sortedFeatures, const std::vector<Vec3>& points);
+
+/// SurfaceId on cells, from the ids of triangles and the cells they are; NoIndex on all others.
+void AddSurfaceIds(
+  vtkPolyData* output, const std::vector<Index>& ids, const std::vector<vtkIdType>& cells);
+
+/// Displacement on points: output minus input position, as both are stored.
+void AddDisplacement(vtkPolyData* output, const std::vector<Vec3>& before);
+
+/// One number of the field data; replaces one of that name.
+void AddFieldValue(vtkPolyData* output, const char* name, double value);
+
+/// The number of that name in the field data, or `otherwise` if there is none.
+double FieldValue(vtkPolyData* input, const char* name, double otherwise);
+}
+
+#endif

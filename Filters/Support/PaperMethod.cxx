@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PaperMethod.h"
+
+#include "Core/Geometry.h"
+#include "Core/Sharpening.h"
+#include "Core/Skeleton.h"
+#include "Core/Thinning.h"
+#include "Support/Arrays.h"
+#include "Support/StopWatch.h"
+
+#include <vtkPolyData.h>
+
+namespace arris
+{
+namespace
+{
+// How far the progress has come after the first two stages, by their usual share of the time.
+constexpr double Classified = 0.6;
+constexpr double Thinned = 0.7;
+}
+
+bool RecoverByPaper(const Surface& surface, const PaperParameters& parameters,
+  const Monitor& monitor, vtkPolyData* output)
+{
+  const Mesh& mesh = surface.Triangulation;
+  const Connectivity& connectivity = surface.Adjacency;
+
+  const StopWatch classification;
+  const std::vector<double> differences =
+    NormalDifferences(mesh, connectivity, UnitNormals(mesh, surface.AverageEdgeLength),
+      parameters.WindowRadius, parameters.Search, monitor.Part(0.0, Classified));
+  if (differences.size() != mesh.Points.size())
+  {
+    return false;
+  }
+  const Flags region = SharpRegion(differences, parameters.SharpAngle);
+  AddClassification(output, differences, parameters.WindowRadius, region);
+  AddFieldValue(output, array::Lambda, parameters.WindowRadius);
+  AddFieldValue(output, array::SharpAngle, parameters.SharpAngle);
+  AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);
+  AddFieldValue(output, array::ClassificationSeconds, classification.Seconds());
+
+  const StopWatch thinning;
+  const std::vector<int> rounds =
+    ThinningRounds(mesh, connectivity, region, differences, monitor.Part(Classified, Thinned));
+  if (rounds.size() != mesh.Points.size())
+  {
+    return false;
+  }
+  const Skeleton skeleton = TraceSkeleton(mesh, connectivity, rounds);
+  AddThinning(output, rounds, skeleton.Roles);
+  AddFieldValue(output, array::ThinningSeconds, thinning.Seconds());
+
+  const StopWatch sharpening;
+  const std::vector<Vec3> points = SharpenedPoints(mesh, connectivity, rounds, skeleton,
+    parameters.WindowRadius, surface.AverageEdgeLength, monitor.Part(Thinned, 1.0));
+  if (points.size() != mesh.Points.size())
+  {
+    return false;
+  }
+  ReplacePoints(output, mesh.Points, points);
+  AddDisplacement(output, mesh.Points);
+  AddFieldValue(output, array::SharpeningSeconds, sharpening.Seconds());
+  return monitor.Report(1.0);
+}
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Polylines.h"
+
+#include "Arrays.h"
+
+#include <vtkCellArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+namespace arris
+{
+namespace
+{
+/// Gives `part` these points of the mesh, with all their arrays.
+void TakePoints(vtkPolyData* part, const std::vector<Index>& vertices, vtkPolyData* mesh)
+{
+  const vtkIdType count = static_cast<vtkIdType>(vertices.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(count);
+  part->GetPointData()->CopyAllOn();
+  part->GetPointData()->CopyAllocate(mesh->GetPointData(), count);
+  part->GetPointData()->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    points->SetPoint(i, mesh->GetPoint(vertices[i]));
+    part->GetPointData()->CopyData(mesh->GetPointData(), vertices[i], i);
+  }
+  part->SetPoints(points);
+}
+}
+
+void FillPolylines(vtkPolyData* lines, const std::vector<Curve>& curves, vtkPolyData* mesh)
+{
+  std::vector<Index> used;
+  for (const Curve& curve : curves)
+  {
+    used.insert(used.end(), curve.begin(), curve.end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  TakePoints(lines, used, mesh);
+
+  vtkNew<vtkCellArray> cells;
+  for (const Curve& curve : curves)
+  {
+    cells->InsertNextCell(static_cast<int>(curve.size()));
+    for (Index vertex : curve)
+    {
+      cells->InsertCellPoint(std::lower_bound(used.begin(), used.end(), vertex) - used.begin());
+    }
+  }
+  lines->SetLines(cells);
+}
+
+void FillCorners(vtkPolyData* vertices, const std::vector<CurveCorner>& corners, vtkPolyData* mesh)
+{
+  std::vector<Index> used;
+  vtkNew<vtkIntArray> valence;
+  valence->SetName(array::Valence);
+  vtkNew<vtkCellArray> cells;
+  for (const CurveCorner& corner : corners)
+  {
+    const vtkIdType point = static_cast<vtkIdType>(used.size());
+    cells->InsertNextCell(1, &point);
+    used.push_back(corner.Vertex);
+    valence->InsertNextValue(corner.Valence);
+  }
+  TakePoints(vertices, used, mesh);
+  vertices->GetPointData()->AddArray(valence);
+  vertices->SetVerts(cells);
+}
+}

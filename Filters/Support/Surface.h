@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Surface.h
+/// From VTK's polygonal data to the plain arrays of the method, and what may be wrong with it.
+
+#ifndef arris_Surface_h
+#define arris_Surface_h
+
+#include "Core/Mesh.h"
+
+#include <vtkType.h>
+
+#include <string>
+
+class vtkPolyData;
+
+namespace arris
+{
+/// The triangles of a vtkPolyData as the method sees them.
+struct Surface
+{
+  Mesh Triangulation;
+  Connectivity Adjacency;
+  double AverageEdgeLength = 0.0;
+
+  /// The cell of the vtkPolyData that each triangle is. Cells that name a point twice are no
+  /// triangles and stand in no entry.
+  std::vector<vtkIdType> Cells;
+};
+
+/// Makes `output` what a filter hands on before it adds anything: the input, with strips and
+/// polygons cut into triangles (by vtkTriangleFilter; each takes on the cell data of what it was
+/// cut from) and vertices and lines as they are. Then fills `surface` from it.
+///
+/// Returns what is wrong with the input, in words for a user, or nothing. Wrong is: a point that is
+/// not finite, a cell that names a point that is not there, a polygon that cannot be cut into
+/// triangles, more cells than 32-bit indices can count.
+std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surface);
+
+/// Replaces the output's points by moved ones, in the precision it has. Points whose new position
+/// equals the old one keep every bit. Normals that came with the input do not fit the moved surface
+/// any more: the arrays stay, but are no longer the ones to shade by.
+void ReplacePoints(
+  vtkPolyData* output, const std::vector<Vec3>& before, const std::vector<Vec3>& after);
+}
+
+#endif

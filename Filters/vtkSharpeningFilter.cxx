@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkSharpeningFilter.h"
+
+#include "Core/Sharpening.h"
+#include "Support/Arrays.h"
+#include "Support/FilterMonitor.h"
+#include "Support/Parameters.h"
+#include "Support/StopWatch.h"
+#include "Support/Surface.h"
+
+#include <vtkDataArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkSharpeningFilter);
+
+//------------------------------------------------------------------------------
+vtkSharpeningFilter::vtkSharpeningFilter()
+  : Window(0.0)
+  , WindowRatio(arris::DefaultWindowRatio)
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, arris::array::ThinningRound);
+}
+
+//------------------------------------------------------------------------------
+int vtkSharpeningFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    output->ShallowCopy(input);
+    return 1;
+  }
+
+  std::vector<int> rounds;
+  arris::Surface surface;
+  const std::string problem = arris::FirstProblem(
+    { arris::ProblemWithWindow(this->Window, this->WindowRatio),
+      arris::ReadThinningRounds(this->GetInputArrayToProcess(0, inputVector), input, rounds) },
+    [&] { return arris::ReadSurface(input, output, surface); });
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 1;
+  }
+
+  const arris::StopWatch watch;
+  const arris::Mesh& mesh = surface.Triangulation;
+  const double lambda = this->Window > 0.0
+    ? this->Window
+    : arris::FieldValue(input, arris::array::Lambda, this->WindowRatio * surface.AverageEdgeLength);
+  const std::vector<arris::Vec3> points = arris::SharpenedPoints(mesh, surface.Adjacency, rounds,
+    arris::TraceSkeleton(mesh, surface.Adjacency, rounds), lambda, surface.AverageEdgeLength,
+    arris::MonitorOf(this));
+  if (points.size() != mesh.Points.size())
+  {
+    output->Initialize(); // aborted
+    return 1;
+  }
+  arris::ReplacePoints(output, mesh.Points, points);
+  arris::AddDisplacement(output, mesh.Points);
+  arris::AddFieldValue(output, arris::array::SharpeningSeconds, watch.Seconds());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSharpeningFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Window: " << this->Window << "\n";
+  os << indent << "WindowRatio: " << this->WindowRatio << "\n";
+}
