@@ -14,6 +14,7 @@ set(sources
   Filters/Core/Curves.cxx
   Filters/Core/FeatureEdges.cxx
   Filters/Core/Geometry.cxx
+  Filters/Core/Intersections.cxx
   Filters/Core/Mesh.cxx
   Filters/Core/NormalSpread.cxx
   Filters/Core/Predictor.cxx
@@ -23,9 +24,25 @@ set(sources
   Filters/Core/Surfaces.cxx
   Filters/Core/Thinning.cxx
   Filters/Core/Ussod.cxx
+  Filters/Core/Robust/Faces.cxx
+  Filters/Core/Robust/Labels.cxx
+  Filters/Core/Robust/LocalSolid.cxx
+  Filters/Core/Robust/MeetSheets.cxx
+  Filters/Core/Robust/Patches.cxx
+  Filters/Core/Robust/Placement.cxx
+  Filters/Core/Robust/Region.cxx
+  Filters/Core/Robust/Retreat.cxx
+  Filters/Core/Robust/Ridge.cxx
+  Filters/Core/Robust/Robust.cxx
+  Filters/Core/Robust/Sheet.cxx
+  Filters/Core/Robust/Sides.cxx
+  Filters/Core/Robust/ThinFaces.cxx
+  Filters/Core/Robust/Turn.cxx
+  Filters/Core/Robust/Untangle.cxx
   Filters/Support/Arrays.cxx
   Filters/Support/PaperMethod.cxx
   Filters/Support/Polylines.cxx
+  Filters/Support/RobustMethod.cxx
   Filters/Support/Surface.cxx)
 
 vtk_module_add_module(Arris::Filters
@@ -40,8 +57,9 @@ vtk_module_link(Arris::Filters
 vtk_module_set_properties(Arris::Filters
   CXX_STANDARD 17
   CXX_STANDARD_REQUIRED ON)
-if (ARRIS_COMPILE_OPTIONS)
-  vtk_module_compile_options(Arris::Filters
-    PRIVATE
-      ${ARRIS_COMPILE_OPTIONS})
-endif ()
+# Contraction of a*b + c to one rounding differs between compilers and processors; without it the
+# same input gives the same bytes on all of them.
+vtk_module_compile_options(Arris::Filters
+  PRIVATE
+    -ffp-contract=off
+    ${ARRIS_COMPILE_OPTIONS})

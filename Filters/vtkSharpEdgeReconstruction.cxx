@@ -7,6 +7,7 @@
 #include "Support/FilterMonitor.h"
 #include "Support/PaperMethod.h"
 #include "Support/Parameters.h"
+#include "Support/RobustMethod.h"
 #include "Support/Surface.h"
 
 #include <vtkInformation.h>
@@ -15,6 +16,17 @@
 #include <vtkPolyData.h>
 
 vtkStandardNewMacro(vtkSharpEdgeReconstruction);
+
+namespace
+{
+std::string ProblemWithMethod(int method)
+{
+  const bool known =
+    method == vtkSharpEdgeReconstruction::PAPER || method == vtkSharpEdgeReconstruction::ROBUST;
+  return known ? std::string()
+               : "Method must be 0 (paper) or 1 (robust); it is " + std::to_string(method);
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSharpEdgeReconstruction::vtkSharpEdgeReconstruction()
@@ -36,7 +48,7 @@ int vtkSharpEdgeReconstruction::RequestData(
   arris::Surface surface;
   const std::string problem = arris::FirstProblem(
     { arris::ProblemWithWindow(this->Window, this->WindowRatio, this->WindowSearch),
-      arris::ProblemWithAngle("SharpAngle", this->SharpAngle) },
+      arris::ProblemWithAngle("SharpAngle", this->SharpAngle), ProblemWithMethod(this->Method) },
     [&] { return arris::ReadSurface(input, output, surface); });
   if (!problem.empty())
   {
@@ -44,12 +56,22 @@ int vtkSharpEdgeReconstruction::RequestData(
     return 1;
   }
 
-  arris::PaperParameters parameters;
-  parameters.WindowRadius =
-    arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
-  parameters.SharpAngle = this->SharpAngle;
-  parameters.Search = static_cast<arris::WindowSearch>(this->WindowSearch);
-  if (!arris::RecoverByPaper(surface, parameters, arris::MonitorOf(this), output))
+  const arris::Monitor monitor = arris::MonitorOf(this);
+  bool finished = false;
+  if (this->Method == ROBUST)
+  {
+    finished = arris::RecoverByRobust(surface, monitor, output);
+  }
+  else
+  {
+    arris::PaperParameters parameters;
+    parameters.WindowRadius =
+      arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
+    parameters.SharpAngle = this->SharpAngle;
+    parameters.Search = static_cast<arris::WindowSearch>(this->WindowSearch);
+    finished = arris::RecoverByPaper(surface, parameters, monitor, output);
+  }
+  if (!finished)
   {
     output->Initialize(); // aborted
   }

@@ -15,7 +15,9 @@
  * pass. Output: the mesh with the same triangles and moved points, all the input's arrays, and
  * the point arrays `USSOD`, `NormalDeviation`, `SharpRegion`, `ThinningRound`, `SkeletonRole` and
  * `Displacement` as the three filters describe them, and the field data `Lambda`, `SharpAngle`,
- * `AverageEdgeLength`, `ClassificationSeconds`, `ThinningSeconds` and `SharpeningSeconds`.
+ * `AverageEdgeLength`, `ClassificationSeconds`, `ThinningSeconds` and `SharpeningSeconds`. The
+ * robust method has a window of its own at each vertex (0.75 local edge lengths; `Lambda` is the
+ * mean) and no `SharpAngle`; its `ThinningRound` is the distance in edges from the intact surface.
  *
  * Vertices outside the sharp region keep their exact coordinates; points keep their precision;
  * normals that came with the input stay as arrays but not as the active ones, as they no longer
@@ -45,7 +47,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// PAPER follows the paper step by step; ROBUST (the default) needs no parameters.
+  /// ROBUST (the default) needs no parameters: its windows follow the local edge length, faces are
+  /// carried on with their curvature, and no triangle is left folded over or cutting another.
+  /// Window, WindowRatio, SharpAngle and WindowSearch do not apply to it. PAPER follows the paper
+  /// step by step.
   enum MethodType
   {
     PAPER = 0,

@@ -7,7 +7,7 @@
 #include "Support/Arrays.h"
 #include "Support/FilterMonitor.h"
 #include "Support/Polylines.h"
-#include "Support/StopWatch.h"
+#include "Core/StopWatch.h"
 #include "Support/Surface.h"
 
 #include <vtkDataArray.h>

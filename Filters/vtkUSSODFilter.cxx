@@ -8,7 +8,7 @@
 #include "Support/Arrays.h"
 #include "Support/FilterMonitor.h"
 #include "Support/Parameters.h"
-#include "Support/StopWatch.h"
+#include "Core/StopWatch.h"
 #include "Support/Surface.h"
 
 #include <vtkInformation.h>
@@ -58,8 +58,8 @@ int vtkUSSODFilter::RequestData(
   }
 
   this->Kappa = lambda > 0.0 ? arris::DifferenceOfAngle(this->SharpAngle) / lambda : 0.0;
-  arris::AddClassification(
-    output, differences, lambda, arris::SharpRegion(differences, this->SharpAngle));
+  arris::AddClassification(output, differences, std::vector<double>(differences.size(), lambda),
+    arris::SharpRegion(differences, this->SharpAngle));
   arris::AddFieldValue(output, arris::array::Lambda, lambda);
   arris::AddFieldValue(output, arris::array::SharpAngle, this->SharpAngle);
   arris::AddFieldValue(output, arris::array::AverageEdgeLength, surface.AverageEdgeLength);

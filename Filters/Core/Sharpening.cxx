@@ -21,6 +21,11 @@ namespace
 constexpr double FirstSupport = 0.5;
 constexpr double SupportStep = 0.1;
 
+/// Support up to the farthest neighbour takes in the triangles that touch the ball in that
+/// neighbour alone. They are at exactly that distance: without a margin rounding would decide over
+/// each.
+constexpr double SupportMargin = 1.0 + 1e-9;
+
 /// The longest translation, in average edge lengths (section 4.3).
 constexpr double LongestTranslation = 4.0;
 
@@ -91,7 +96,7 @@ public:
         farthest2, (this->Current.Points[neighbor] - this->Current.Points[vertex]).squaredNorm());
     }
     const bool isEnd = this->TheSkeleton.Roles[vertex] == SkeletonRole::End;
-    return this->Predict(vertex, std::sqrt(farthest2),
+    return this->Predict(vertex, SupportMargin * std::sqrt(farthest2),
       this->Mean(isEnd ? neighbors : this->TheSkeleton.SharpNeighbors[vertex]), window);
   }
 

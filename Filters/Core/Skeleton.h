@@ -24,7 +24,7 @@ enum class SkeletonRole : unsigned char
 };
 
 /// The skeleton Ψ: which mesh edges are sharp, and the vertices by their part.
-struct Skeleton
+struct ARRISFILTERS_EXPORT Skeleton
 {
   /// For each vertex of the mesh those it shares a sharp edge with, ascending.
   Rows SharpNeighbors;

@@ -100,10 +100,11 @@ Flags NonZero(const std::vector<double>& values)
 }
 
 void AddClassification(vtkPolyData* output, const std::vector<double>& normalDifferences,
-  double windowRadius, const Flags& sharpRegion)
+  const std::vector<double>& windowRadii, const Flags& sharpRegion)
 {
   AddPointArray<vtkDoubleArray>(output, array::Ussod,
-    [&](vtkIdType v) { return windowRadius > 0.0 ? normalDifferences[v] / windowRadius : 0.0; });
+    [&](vtkIdType v)
+    { return windowRadii[v] > 0.0 ? normalDifferences[v] / windowRadii[v] : 0.0; });
   AddPointArray<vtkDoubleArray>(output, array::NormalDeviation,
     [&](vtkIdType v) { return AngleOfDifference(normalDifferences[v]); });
   AddPointArray<vtkUnsignedCharArray>(

@@ -53,9 +53,9 @@ std::string ReadThinningRounds(vtkDataArray* array, vtkPolyData* input, std::vec
 /// 1 where a value is not 0.
 Flags NonZero(const std::vector<double>& values);
 
-/// USSOD, NormalDeviation and SharpRegion on points, from λτ and the window radius λ.
+/// USSOD, NormalDeviation and SharpRegion on points, from λτ and the window radius λ of each.
 void AddClassification(vtkPolyData* output, const std::vector<double>& normalDifferences,
-  double windowRadius, const Flags& sharpRegion);
+  const std::vector<double>& windowRadii, const Flags& sharpRegion);
 
 /// ThinningRound and SkeletonRole on points.
 void AddThinning(

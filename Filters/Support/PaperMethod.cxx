@@ -8,7 +8,7 @@
 #include "Core/Skeleton.h"
 #include "Core/Thinning.h"
 #include "Support/Arrays.h"
-#include "Support/StopWatch.h"
+#include "Core/StopWatch.h"
 
 #include <vtkPolyData.h>
 
@@ -36,7 +36,8 @@ bool RecoverByPaper(const Surface& surface, const PaperParameters& parameters,
     return false;
   }
   const Flags region = SharpRegion(differences, parameters.SharpAngle);
-  AddClassification(output, differences, parameters.WindowRadius, region);
+  AddClassification(
+    output, differences, std::vector<double>(mesh.Points.size(), parameters.WindowRadius), region);
   AddFieldValue(output, array::Lambda, parameters.WindowRadius);
   AddFieldValue(output, array::SharpAngle, parameters.SharpAngle);
   AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);

@@ -1,0 +1,571 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Intersections.h"
+
+#include "Geometry.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace arris
+{
+namespace
+{
+using Pair = std::array<Index, 2>;
+
+//----------------------------------------------------------------------------
+// Two triangles.
+
+/// What is this small a part of the longest edge is a touch (and as an angle, in radians, flat).
+constexpr double TouchTolerance = 1e-10;
+
+/// What a determinant may be off by, in roundings of its largest term: its own, and those that the
+/// four points went through when they were computed. Generous by about a factor of two.
+constexpr double RoundingSteps = 16.0;
+
+/// A triangle laid out for the tests.
+struct Face
+{
+  std::array<Vec3, 3> Points;
+  Vec3 Normal; ///< twice the area long
+
+  Face(const Mesh& mesh, const Triangle& triangle)
+    : Points{ mesh.Points[triangle[0]], mesh.Points[triangle[1]], mesh.Points[triangle[2]] }
+    , Normal((this->Points[1] - this->Points[0]).cross(this->Points[2] - this->Points[0]))
+  {
+  }
+
+  double TwiceArea() const { return this->Normal.norm(); }
+  double LongestEdge() const
+  {
+    return std::sqrt(std::max({ (this->Points[1] - this->Points[0]).squaredNorm(),
+      (this->Points[2] - this->Points[1]).squaredNorm(),
+      (this->Points[0] - this->Points[2]).squaredNorm() }));
+  }
+
+  /// Twice the area times the height of a point over the plane; 0 without rounding for the first
+  /// corner.
+  double Volume(const Vec3& point) const { return this->Normal.dot(point - this->Points[0]); }
+};
+
+/// On which side of a plane each corner is: 1, -1, or 0 for in it.
+using Sides = std::array<int, 3>;
+
+/// What counts as zero between two triangles.
+class Margin
+{
+public:
+  Margin(const Face& one, const Face& other)
+  {
+    const double longest1 = one.LongestEdge();
+    const double longest2 = other.LongestEdge();
+    this->Size = std::max(longest1, longest2);
+    this->Smaller = std::min(longest1, longest2);
+    this->Rounding = RoundingSteps * std::numeric_limits<double>::epsilon() *
+      (one.Points[0].cwiseAbs().maxCoeff() + this->Size);
+  }
+
+  bool HasArea(const Face& face) const
+  {
+    const double longest = face.LongestEdge();
+    return face.TwiceArea() > (TouchTolerance * longest + this->Rounding) * longest;
+  }
+
+  /// On which sides of a plane the corners of a triangle are.
+  Sides SidesOf(const Face& face, const Face& plane) const
+  {
+    const double area = plane.TwiceArea();
+    const double longest = plane.LongestEdge();
+    Sides sides;
+    for (int k = 0; k < 3; ++k)
+    {
+      sides[k] = this->Sign(plane.Volume(face.Points[k]), area, longest);
+    }
+    return sides;
+  }
+
+  /// On which side an edge, made longer as needed, passes another one.
+  int Passing(const Vec3& from1, const Vec3& to1, const Vec3& from2, const Vec3& to2) const
+  {
+    const Vec3 across = (to1 - from1).cross(to2 - from2);
+    return this->Sign(across.dot(from2 - from1), across.norm(), this->Smaller);
+  }
+
+  /// Up to which sine two faces are in one plane, if they have an edge in common and their third
+  /// corners are `height1` and `height2` away from it.
+  double Flat(double height1, double height2) const
+  {
+    return TouchTolerance + this->Rounding * (1.0 / height1 + 1.0 / height2);
+  }
+
+private:
+  /// The sign of the distance that a volume is the `area` times. A point that moves changes the
+  /// volume by as much as the side opposite to it is wide: at most Size one way, and `width` the
+  /// other.
+  int Sign(double volume, double area, double width) const
+  {
+    const double zero = (TouchTolerance * area + this->Rounding * width) * this->Size;
+    return volume > zero ? 1 : (volume < -zero ? -1 : 0);
+  }
+
+  double Size;
+  double Smaller;
+  double Rounding; ///< of a coordinate
+};
+
+bool OnBothSides(const Sides& sides)
+{
+  return std::min({ sides[0], sides[1], sides[2] }) < 0 &&
+    std::max({ sides[0], sides[1], sides[2] }) > 0;
+}
+
+/// The corner that has a side of the plane to itself, given that there are some on both.
+int LoneCorner(const Sides& sides)
+{
+  for (int k = 0; k < 2; ++k)
+  {
+    if (sides[k] != 0 && sides[k] != sides[Next(k)] && sides[k] != sides[Next(Next(k))])
+    {
+      return k;
+    }
+  }
+  return 2;
+}
+
+/// Whether the plane of a triangle leaves another one on one side, to the last bit: most pairs are
+/// done with it, before anything is known about the margin.
+bool OnOneSide(const Face& face, const Face& plane)
+{
+  const double volume0 = plane.Volume(face.Points[0]);
+  const double volume1 = plane.Volume(face.Points[1]);
+  const double volume2 = plane.Volume(face.Points[2]);
+  return std::min({ volume0, volume1, volume2 }) >= 0.0 ||
+    std::max({ volume0, volume1, volume2 }) <= 0.0;
+}
+
+/// Whether two triangles that share no vertex, or the first one of each, have inner points in
+/// common.
+///
+/// They can only have them on the line where their planes meet, which goes through a triangle
+/// that is on both sides of the other plane along a segment: from edge pq to edge pr, if p is its
+/// lone corner; and likewise from ab to ac. Looking so that p is above plane abc and a above plane
+/// pqr, the first segment runs from pq to pr and the second one from ac to ab (the line taken along
+/// n_abc x n_pqr, n being normals). So they overlap if pq comes before ab, and ac before pr. Of two
+/// edges that go down through the line, pq comes before ab if the determinant |q - p, b - a, a - p|
+/// is positive: with the one crossing at x and the other at x + t n_abc x n_pqr, it is
+/// t (n_abc.(q - p)) (n_pqr.(b - a)), and both factors are negative.
+///
+/// A shared vertex is in both planes and so an end of both segments. Where the edges to it are
+/// those compared, the determinant vanishes: the segments leave the vertex to different sides.
+bool Cross(const Face& one, const Face& other, const Margin& margin)
+{
+  const Sides sides1 = margin.SidesOf(one, other);
+  const Sides sides2 = margin.SidesOf(other, one);
+  if (!OnBothSides(sides1) || !OnBothSides(sides2))
+  {
+    return false;
+  }
+  const int lone1 = LoneCorner(sides1);
+  const int lone2 = LoneCorner(sides2);
+  int q = Next(lone1);
+  int r = Next(q);
+  int b = Next(lone2);
+  int c = Next(b);
+  if (sides2[lone2] < 0) // turn the plane of `one` over
+  {
+    std::swap(q, r);
+  }
+  if (sides1[lone1] < 0)
+  {
+    std::swap(b, c);
+  }
+  const Vec3& p = one.Points[lone1];
+  const Vec3& a = other.Points[lone2];
+  return margin.Passing(p, one.Points[q], a, other.Points[b]) > 0 &&
+    margin.Passing(p, one.Points[r], a, other.Points[c]) < 0;
+}
+
+/// Whether two triangles whose first two corners are the same lie on each other.
+bool Folded(const Face& one, const Face& other, const Margin& margin)
+{
+  const double edge = (one.Points[1] - one.Points[0]).norm();
+  const double area1 = one.TwiceArea();
+  const double area2 = other.TwiceArea();
+  return one.Normal.dot(other.Normal) > 0.0 &&
+    one.Normal.cross(other.Normal).norm() <=
+    area1 * area2 * margin.Flat(area1 / edge, area2 / edge);
+}
+
+/// Brings the vertices that two triangles share to the front, in the same order; how many.
+int ShareFirst(Triangle& one, Triangle& other)
+{
+  int count = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = count; j < 3; ++j)
+    {
+      if (one[i] == other[j])
+      {
+        std::swap(one[i], one[count]);
+        std::swap(other[j], other[count]);
+        ++count;
+        break;
+      }
+    }
+  }
+  return count;
+}
+
+bool Intersect(const Mesh& mesh, Index t1, Index t2)
+{
+  Triangle triangle1 = mesh.Triangles[t1];
+  Triangle triangle2 = mesh.Triangles[t2];
+  const bool shareEdge = ShareFirst(triangle1, triangle2) >= 2;
+  const Face one(mesh, triangle1);
+  const Face other(mesh, triangle2);
+  const bool surelyNot = shareEdge ? one.Normal.dot(other.Normal) <= 0.0
+                                   : OnOneSide(one, other) || OnOneSide(other, one);
+  if (surelyNot)
+  {
+    return false;
+  }
+  const Margin margin(one, other);
+  return margin.HasArea(one) && margin.HasArea(other) &&
+    (shareEdge ? Folded(one, other, margin) : Cross(one, other, margin));
+}
+
+//----------------------------------------------------------------------------
+// Which triangles to try.
+
+struct Box
+{
+  Vec3 Low = Vec3::Zero();
+  Vec3 High = Vec3::Zero();
+
+  Box() = default;
+  Box(const Mesh& mesh, Index t)
+    : Low(mesh.Points[mesh.Triangles[t][0]])
+    , High(this->Low)
+  {
+    for (int k = 1; k < 3; ++k)
+    {
+      this->Low = this->Low.cwiseMin(mesh.Points[mesh.Triangles[t][k]]);
+      this->High = this->High.cwiseMax(mesh.Points[mesh.Triangles[t][k]]);
+    }
+  }
+  double Width() const { return (this->High - this->Low).maxCoeff(); }
+  bool Meets(const Box& other) const
+  {
+    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
+      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
+      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
+  }
+  void Include(const Box& other)
+  {
+    this->Low = this->Low.cwiseMin(other.Low);
+    this->High = this->High.cwiseMax(other.High);
+  }
+  void ClipTo(const Box& other)
+  {
+    this->Low = this->Low.cwiseMax(other.Low);
+    this->High = this->High.cwiseMin(other.High);
+  }
+};
+
+/// The listed triangles in hashed grids of cubes, one for each level: four times as wide from one
+/// level to the next, and on level 0 wide enough for most triangles. A box belongs to the level
+/// whose cubes are just as wide as it, and so never fills more than eight, huge or tiny.
+///
+/// Of two boxes that meet, the one of the finer level finds the other on that one's level. As all
+/// triangles of the mesh search but only the listed ones are in the grids, those are also in the
+/// `Coarser` grids of all the levels above theirs, for larger triangles to find them there.
+class Grid
+{
+public:
+  struct Entry
+  {
+    Box Bounds;
+    Index Triangle;
+    int Level;
+  };
+
+  /// Unusable if Empty() afterwards: nothing but points was listed.
+  Grid(const Mesh& mesh, const std::vector<Index>& listed)
+  {
+    this->CollectEntries(mesh, listed);
+    if (!this->Entries.empty())
+    {
+      this->ChooseLevels();
+      this->FillBuckets();
+    }
+  }
+  bool Empty() const { return this->Entries.empty(); }
+
+  /// Calls visit(t) for each listed triangle whose box meets that of the triangle `seeker`; but
+  /// not for itself, nor for listed triangles that find this one when it is their turn.
+  /// Rarely more than once for the same one.
+  template <typename Visit>
+  void Search(const Mesh& mesh, Index seeker, bool isListed, Visit&& visit) const
+  {
+    Box box(mesh, seeker);
+    if (!box.Meets(this->Bounds))
+    {
+      return;
+    }
+    box.ClipTo(this->Bounds); // lets far larger triangles look on our levels
+    const int own = this->LevelOf(box.Width());
+    for (const int level : this->LevelsInUse)
+    {
+      if (level >= own)
+      {
+        this->SearchLevel(box, level, Kind::Own,
+          [&](const Entry& entry)
+          {
+            if (!isListed || level > own || seeker < entry.Triangle)
+            {
+              visit(entry.Triangle);
+            }
+          });
+      }
+    }
+    if (!isListed)
+    {
+      this->SearchLevel(
+        box, own, Kind::Coarser, [&](const Entry& entry) { visit(entry.Triangle); });
+    }
+  }
+
+private:
+  using Cell = std::array<std::int64_t, 3>;
+  enum class Kind
+  {
+    Own,
+    Coarser
+  };
+
+  /// Between the coarsest level and the finest; a grid is then at most 2^40 cubes wide.
+  static constexpr int MostLevels = 20;
+  /// Cubes of level 0 are this many times as wide as the mean box, so that most fit in.
+  static constexpr double Roominess = 2.0;
+  static constexpr std::size_t BucketsPerEntry = 4;
+  static constexpr std::uint64_t Golden = 0x9E3779B97F4A7C15u; // 2^64 / golden ratio
+
+  void CollectEntries(const Mesh& mesh, const std::vector<Index>& listed)
+  {
+    this->Entries.reserve(listed.size());
+    for (const Index t : listed)
+    {
+      const Box box(mesh, t);
+      const double width = box.Width();
+      if (width > 0.0 && std::isfinite(width))
+      {
+        this->Entries.push_back({ box, t, 0 });
+      }
+    }
+  }
+
+  void ChooseLevels()
+  {
+    this->Bounds = this->Entries.front().Bounds;
+    double sum = 0.0;
+    for (const Entry& entry : this->Entries)
+    {
+      this->Bounds.Include(entry.Bounds);
+      sum += entry.Bounds.Width();
+    }
+    const double mean = sum / static_cast<double>(this->Entries.size());
+    this->Unit = Roominess * mean;
+    this->Finest = std::numeric_limits<int>::min();
+    this->Coarsest = this->LevelOf(this->Bounds.Width());
+    this->Finest = this->Coarsest - MostLevels;
+    for (int level = this->Finest; level <= this->Coarsest; ++level)
+    {
+      this->CubesPerLength.push_back(std::ldexp(1.0 / this->Unit, -2 * level));
+    }
+    for (Entry& entry : this->Entries)
+    {
+      entry.Level = this->LevelOf(entry.Bounds.Width());
+      this->LevelsInUse.push_back(entry.Level);
+    }
+    std::sort(this->LevelsInUse.begin(), this->LevelsInUse.end());
+    this->LevelsInUse.erase(
+      std::unique(this->LevelsInUse.begin(), this->LevelsInUse.end()), this->LevelsInUse.end());
+  }
+
+  /// The finest level whose cubes are at least that wide.
+  int LevelOf(double width) const
+  {
+    if (!(width > 0.0))
+    {
+      return this->Finest;
+    }
+    const int doublings = std::ilogb(width / this->Unit) + 1;
+    const int level = (doublings + (doublings > 0 ? 1 : 0)) / 2; // rounds up, on either side of 0
+    return std::max(level, this->Finest);
+  }
+
+  void FillBuckets()
+  {
+    int bits = 1;
+    while ((std::size_t(1) << bits) < BucketsPerEntry * this->Entries.size())
+    {
+      ++bits;
+    }
+    this->Shift = 64 - bits;
+    this->Buckets.Offsets.assign((std::size_t(1) << bits) + 1, 0);
+    // Count into the place before, then add up: each offset is where its bucket ends. Filling from
+    // the back moves it to where the bucket begins.
+    this->ForEachPlace([&](std::size_t, std::size_t bucket) { ++this->Buckets.Offsets[bucket]; });
+    Index end = 0;
+    for (Index& offset : this->Buckets.Offsets)
+    {
+      end += offset;
+      offset = end;
+    }
+    this->Buckets.Values.resize(end);
+    this->ForEachPlace([&](std::size_t entry, std::size_t bucket)
+      { this->Buckets.Values[--this->Buckets.Offsets[bucket]] = static_cast<Index>(entry); });
+  }
+
+  /// Calls place(entry, bucket) for every cube that every entry is in.
+  template <typename Place>
+  void ForEachPlace(Place&& place) const
+  {
+    for (std::size_t e = 0; e < this->Entries.size(); ++e)
+    {
+      const Entry& entry = this->Entries[e];
+      for (int level = entry.Level; level <= this->Coarsest; ++level)
+      {
+        this->ForEachCube(entry.Bounds, level, level == entry.Level ? Kind::Own : Kind::Coarser,
+          [&](const Cell&, std::size_t bucket) { place(e, bucket); });
+      }
+    }
+  }
+
+  Cell CellOf(const Vec3& point, int level) const
+  {
+    // Truncation rounds down, as all points are inside the bounds.
+    const double perLength = this->CubesPerLength[level - this->Finest];
+    const Vec3 cubes = (point - this->Bounds.Low) * perLength;
+    return { static_cast<std::int64_t>(cubes[0]), static_cast<std::int64_t>(cubes[1]),
+      static_cast<std::int64_t>(cubes[2]) };
+  }
+
+  template <typename Body>
+  void ForEachCube(const Box& box, int level, Kind kind, Body&& body) const
+  {
+    const Cell low = this->CellOf(box.Low, level);
+    const Cell high = this->CellOf(box.High, level);
+    const std::uint64_t seed =
+      2 * static_cast<std::uint64_t>(level - this->Finest) + (kind == Kind::Own ? 0 : 1);
+    Cell cell;
+    for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0])
+    {
+      const std::uint64_t hash0 = (seed * Golden + static_cast<std::uint64_t>(cell[0])) * Golden;
+      for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1])
+      {
+        const std::uint64_t hash1 = (hash0 + static_cast<std::uint64_t>(cell[1])) * Golden;
+        for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2])
+        {
+          const std::uint64_t hash2 = (hash1 + static_cast<std::uint64_t>(cell[2])) * Golden;
+          body(cell, static_cast<std::size_t>(hash2 >> this->Shift));
+        }
+      }
+    }
+  }
+
+  template <typename Found>
+  void SearchLevel(const Box& box, int level, Kind kind, Found&& found) const
+  {
+    this->ForEachCube(box, level, kind,
+      [&](const Cell& cell, std::size_t bucket)
+      {
+        for (const Index e : this->Buckets[static_cast<Index>(bucket)])
+        {
+          const Entry& entry = this->Entries[e];
+          // Two boxes may meet in several cubes; only that with the low corner of what they have in
+          // common reports them. What another cube put into the same bucket does no harm.
+          if (entry.Bounds.Meets(box) &&
+            this->CellOf(entry.Bounds.Low.cwiseMax(box.Low), level) == cell)
+          {
+            found(entry);
+          }
+        }
+      });
+  }
+
+  std::vector<Entry> Entries;
+  Box Bounds;
+  double Unit = 0.0;
+  int Finest = 0;
+  int Coarsest = 0;
+  std::vector<double> CubesPerLength; ///< from the finest level on
+  std::vector<int> LevelsInUse;
+  Rows Buckets;
+  int Shift = 0;
+};
+
+Flags Mark(const Mesh& mesh, const std::vector<Index>& triangles)
+{
+  Flags marks(mesh.Triangles.size(), 0);
+  for (const Index t : triangles)
+  {
+    marks[t] = 1;
+  }
+  return marks;
+}
+
+std::vector<Index> Marked(const Flags& marks)
+{
+  std::vector<Index> marked;
+  for (std::size_t t = 0; t < marks.size(); ++t)
+  {
+    if (marks[t])
+    {
+      marked.push_back(static_cast<Index>(t));
+    }
+  }
+  return marked;
+}
+}
+
+std::vector<std::array<Index, 2>> FindIntersections(
+  const Mesh& mesh, const Connectivity&, const std::vector<Index>& triangles)
+{
+  const Flags isListed = Mark(mesh, triangles);
+  const Grid grid(mesh, Marked(isListed));
+  std::vector<Pair> pairs;
+  if (grid.Empty())
+  {
+    return pairs;
+  }
+  std::mutex pairsMutex;
+  ParallelFor(mesh.TriangleCount(),
+    [&](Index begin, Index end)
+    {
+      std::vector<Pair> found;
+      for (Index t = begin; t < end; ++t)
+      {
+        grid.Search(mesh, t, isListed[t] != 0,
+          [&](Index other)
+          {
+            const Pair pair = { std::min(t, other), std::max(t, other) };
+            if (t != other && Intersect(mesh, pair[0], pair[1]))
+            {
+              found.push_back(pair);
+            }
+          });
+      }
+      const std::lock_guard<std::mutex> lock(pairsMutex);
+      pairs.insert(pairs.end(), found.begin(), found.end());
+    });
+  // The order in which the threads came is gone with this, and so are repeated finds.
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+}

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file MeetSheets.h
+/// Where the vertices of the region belong: on their sheet, on the ridge of two, in the corner of
+/// three or more.
+
+#ifndef arris_Robust_MeetSheets_h
+#define arris_Robust_MeetSheets_h
+
+#include "Sheet.h"
+
+namespace arris
+{
+/// The point nearest to `start` that lies on all the sheets, or as near to all of them as can be.
+Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets);
+}
+
+#endif

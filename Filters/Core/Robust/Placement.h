@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Placement.h
+/// Holds the vertices of the region on the faces of their triangles: on one sheet, on the ridge of
+/// two, in the corner of three or more.
+
+#ifndef arris_Robust_Placement_h
+#define arris_Robust_Placement_h
+
+#include "Ridge.h"
+
+namespace arris
+{
+class Placement
+{
+public:
+  Placement(const Mesh& mesh, const Connectivity& connectivity, const Labelling& labelling,
+    const std::vector<double>& scales, std::vector<Index> faceLabels);
+
+  bool IsDamaged(Index vertex) const { return this->TheLabelling.SidesOf[vertex] != NoIndex; }
+
+  const Vec3& PointOf(Index vertex) const { return this->Points[vertex]; }
+  void SetPoint(Index vertex, const Vec3& point) { this->Points[vertex] = point; }
+
+  Index LabelOf(Index triangle) const { return this->FaceLabels[triangle]; }
+  void SetLabel(Index triangle, Index label) { this->FaceLabels[triangle] = label; }
+
+  /// The sheets a damaged vertex is held on; empty where it is not held, and stays.
+  const std::vector<const Sheet*>& SheetsOf(Index vertex) const
+  {
+    return this->Sheets[this->TheLabelling.SidesOf[vertex]];
+  }
+
+  /// Finds the sheets of a damaged vertex from the labels around it, and puts it on them.
+  void Place(Index vertex);
+
+  /// The point on the vertex's sheets next to `target`; the vertex's own where that is too far.
+  Vec3 Held(Index vertex, const Vec3& target) const;
+
+  /// 1 for an equilateral triangle, 0 for one without area, negative for one that is folded over
+  /// against the face it is part of.
+  double Quality(Index triangle) const;
+
+  const std::vector<Vec3>& AllPoints() const { return this->Points; }
+  std::vector<Vec3> TakePoints() { return std::move(this->Points); }
+
+private:
+  void CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) const;
+
+  const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
+  const Labelling& TheLabelling;
+  const std::vector<double>& Scales;
+  std::vector<Index> FaceLabels;
+  std::vector<Vec3> Points;
+  std::vector<std::vector<const Sheet*>> Sheets;
+};
+}
+
+#endif

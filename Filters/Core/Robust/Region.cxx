@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace arris
+{
+namespace
+{
+// Angles in degrees; lengths in local scales.
+constexpr double SeedJump = 16.0;
+constexpr double SeedConcentration = 0.35; // E over J: a fillet or a cylinder spreads its turn
+constexpr double LeastAcross = 6.0;
+constexpr double CornerDeviation = 55.0; // no smooth surface that is sampled turns so in a window
+constexpr std::size_t SmallestSeedGroup = 6;
+
+constexpr double RegionJump = 12.0;
+constexpr double RegionShare = 0.15; // T over J at the border of a sharp edge's region
+constexpr double RegionShareBlend = 0.07; // less by this where the edge is blended
+constexpr double Reach = 1.6; // from a seed
+constexpr double ReachBlend = 1.2;
+constexpr double Dilation = 1.4; // of a blended edge's region
+
+/// A vertex with its distance from the seed it was reached from; nearest first.
+struct Reached
+{
+  double Distance;
+  Index Vertex;
+  Index Seed;
+  bool operator<(const Reached& other) const
+  {
+    return Distance != other.Distance ? Distance > other.Distance : Vertex > other.Vertex;
+  }
+};
+
+class RegionFinder
+{
+public:
+  RegionFinder(const Mesh& mesh, const Connectivity& connectivity, const std::vector<Turn>& turns,
+    const std::vector<double>& scales)
+    : TheMesh(mesh)
+    , TheConnectivity(connectivity)
+    , Turns(turns)
+    , Scales(scales)
+    , Seeds(mesh.Points.size())
+    , Blend(mesh.Points.size(), 0.0)
+  {
+  }
+
+  Flags Find()
+  {
+    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
+    {
+      const Turn& turn = this->Turns[v];
+      const bool edge = turn.Across >= LeastAcross && turn.Jump >= SeedJump &&
+        turn.Concentrated >= SeedConcentration * turn.Jump;
+      this->Seeds[v] = edge || turn.Deviation >= CornerDeviation ? 1 : 0;
+    }
+    this->DropSmallGroups();
+    this->FindBlendDegrees();
+    Flags region = this->Grow();
+    this->Dilate(region);
+    this->FillHoles(region);
+    return region;
+  }
+
+private:
+  /// Calls visit(group) for each connected group of vertices with the flag.
+  template <typename Visit>
+  void ForEachGroup(const Flags& flags, unsigned char wanted, Visit&& visit) const
+  {
+    Flags seen(flags.size(), 0);
+    std::vector<Index> group;
+    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
+    {
+      if (seen[v] || flags[v] != wanted)
+      {
+        continue;
+      }
+      group.assign(1, v);
+      seen[v] = 1;
+      for (std::size_t next = 0; next < group.size(); ++next)
+      {
+        for (Index n : this->TheConnectivity.NeighborsOfVertex[group[next]])
+        {
+          if (!seen[n] && flags[n] == wanted)
+          {
+            seen[n] = 1;
+            group.push_back(n);
+          }
+        }
+      }
+      visit(group);
+    }
+  }
+
+  void DropSmallGroups()
+  {
+    Flags kept = this->Seeds;
+    this->ForEachGroup(this->Seeds, 1,
+      [&](const std::vector<Index>& group)
+      {
+        if (group.size() < SmallestSeedGroup)
+        {
+          for (Index v : group)
+          {
+            kept[v] = 0;
+          }
+        }
+      });
+    this->Seeds.swap(kept);
+  }
+
+  /// X of each seed: 0 at a sharp edge, 1 at a blended one, by how much the jump shrinks when the
+  /// sides are taken from farther out, averaged along the edge.
+  void FindBlendDegrees()
+  {
+    constexpr double SharpRatio = 0.93; // J(1, 3) / J(1.5, 3.5): about 1 sharp, about 0.8 blended
+    constexpr double RatioRange = 0.04;
+    constexpr int Smoothing = 20;
+    std::vector<std::array<double, 2>> now(this->Seeds.size(), { 0.0, 0.0 });
+    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
+    {
+      const Turn& turn = this->Turns[v];
+      if (this->Seeds[v] && turn.WideJump > RegionJump && turn.Jump > RegionJump &&
+        this->IsRidge(v))
+      {
+        now[v] = { std::min(turn.Jump / turn.WideJump, 1.5), 1.0 };
+      }
+    }
+    std::vector<Index> seeds;
+    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
+    {
+      if (this->Seeds[v])
+      {
+        seeds.push_back(v);
+      }
+    }
+    std::vector<std::array<double, 2>> next = now;
+    for (int pass = 0; pass < Smoothing; ++pass)
+    {
+      for (Index v : seeds)
+      {
+        std::array<double, 2> sum = now[v];
+        for (Index n : this->TheConnectivity.NeighborsOfVertex[v])
+        {
+          sum[0] += now[n][0];
+          sum[1] += now[n][1];
+        }
+        const double share = 1.0 / (1.0 + this->TheConnectivity.NeighborsOfVertex[v].size());
+        next[v] = { sum[0] * share, sum[1] * share };
+      }
+      now.swap(next);
+    }
+    for (Index v : seeds)
+    {
+      if (now[v][1] > 0.0)
+      {
+        this->Blend[v] = std::clamp((SharpRatio - now[v][0] / now[v][1]) / RatioRange, 0.0, 1.0);
+      }
+    }
+  }
+
+  bool IsRidge(Index v) const
+  {
+    for (Index n : this->TheConnectivity.NeighborsOfVertex[v])
+    {
+      if (this->Turns[n].Concentrated > this->Turns[v].Concentrated)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Flags Grow()
+  {
+    Flags region(this->Seeds.size(), 0);
+    std::priority_queue<Reached> front;
+    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
+    {
+      if (this->Seeds[v])
+      {
+        front.push({ 0.0, v, v });
+      }
+    }
+    while (!front.empty())
+    {
+      const Reached at = front.top();
+      front.pop();
+      if (region[at.Vertex])
+      {
+        continue;
+      }
+      region[at.Vertex] = 1;
+      const double blend = this->Blend[at.Seed];
+      this->Blend[at.Vertex] = std::max(this->Blend[at.Vertex], blend);
+      for (Index n : this->TheConnectivity.NeighborsOfVertex[at.Vertex])
+      {
+        const Turn& turn = this->Turns[n];
+        const double share = RegionShare - RegionShareBlend * blend;
+        const double distance = (this->TheMesh.Points[n] - this->TheMesh.Points[at.Seed]).norm();
+        if (!region[n] && turn.Jump >= RegionJump &&
+          turn.Across >= std::max(LeastAcross, share * turn.Jump) &&
+          distance <= (Reach + ReachBlend * blend) * this->Scales[at.Seed])
+        {
+          front.push({ distance, n, at.Seed });
+        }
+      }
+    }
+    return region;
+  }
+
+  /// The flanks of a blended edge are bent beyond where the turn shows.
+  void Dilate(Flags& region)
+  {
+    std::priority_queue<Reached> front;
+    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
+    {
+      if (region[v] && this->Blend[v] > 0.0)
+      {
+        front.push({ 0.0, v, v });
+      }
+    }
+    Flags done(region.size(), 0);
+    while (!front.empty())
+    {
+      const Reached at = front.top();
+      front.pop();
+      if (done[at.Vertex])
+      {
+        continue;
+      }
+      done[at.Vertex] = 1;
+      region[at.Vertex] = 1;
+      for (Index n : this->TheConnectivity.NeighborsOfVertex[at.Vertex])
+      {
+        const double distance = (this->TheMesh.Points[n] - this->TheMesh.Points[at.Seed]).norm();
+        if (!done[n] && distance <= Dilation * this->Blend[at.Seed] * this->Scales[at.Seed])
+        {
+          front.push({ distance, n, at.Seed });
+        }
+      }
+    }
+  }
+
+  /// One or two vertices left over inside the region are part of it.
+  void FillHoles(Flags& region) const
+  {
+    constexpr std::size_t LargestHole = 2;
+    Flags filled = region;
+    this->ForEachGroup(region, 0,
+      [&](const std::vector<Index>& group)
+      {
+        if (group.size() <= LargestHole)
+        {
+          for (Index v : group)
+          {
+            filled[v] = 1;
+          }
+        }
+      });
+    region.swap(filled);
+  }
+
+  const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
+  const std::vector<Turn>& Turns;
+  const std::vector<double>& Scales;
+  Flags Seeds;
+  std::vector<double> Blend;
+};
+}
+
+Flags FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<Turn>& turns, const std::vector<double>& scales)
+{
+  return RegionFinder(mesh, connectivity, turns, scales).Find();
+}
+}

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Region.h
+/// The sharp region found without parameters.
+
+#ifndef arris_Robust_Region_h
+#define arris_Robust_Region_h
+
+#include "Turn.h"
+
+namespace arris
+{
+/// 1 for the vertices that sampling has taken off the surface beside a sharp edge or corner.
+Flags FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<Turn>& turns, const std::vector<double>& scales);
+}
+
+#endif

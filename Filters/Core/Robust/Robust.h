@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Robust.h
+/// The robust method from end to end: no parameters, faces carried on with their curvature, nothing
+/// folded and nothing cut.
+///
+///  1. Turn: at each vertex, the turn that is left once both sides are extrapolated to it.
+///  2. Region: where that turn is concentrated, an edge was sampled away.
+///  3. ThinFaces, Patches: the intact vertices around, sorted into faces.
+///  4. Sheet, Sides: each face carried on to each damaged vertex, as a plane or a quadric.
+///  5. LocalSolid, Labels: which face a vertex lies on, as faces cut and join each other.
+///  6. Ridge: the fewest vertices that separate the faces; these are the skeleton.
+///  7. Placement, MeetSheets: each vertex put on the faces around it.
+///  8. Untangle, Retreat: folded triangles mended, what cannot be mended given back.
+
+#ifndef arris_Robust_Robust_h
+#define arris_Robust_Robust_h
+
+#include "Core/Parallel.h"
+#include "Core/Skeleton.h"
+
+#include "ArrisFiltersModule.h" // for the export macro
+
+namespace arris
+{
+struct RobustResult
+{
+  std::vector<double> WindowRadii; ///< λ of each vertex: follows the local edge length
+  std::vector<double> NormalDifferences; ///< λτ of each vertex in that window
+  Flags Region; ///< the sharp region Ω
+  std::vector<int> Rounds; ///< -1 outside Ω, then the distance from there in edges;
+                           ///< the skeleton has the largest value
+  std::vector<SkeletonRole> Roles;
+  std::vector<Vec3> Points;
+
+  // What finding the region, the skeleton and the positions took.
+  double ClassificationSeconds = 0.0;
+  double ThinningSeconds = 0.0;
+  double SharpeningSeconds = 0.0;
+};
+
+/// Recovers the sharp edges of a mesh. The result has no points if the monitor stopped it.
+ARRISFILTERS_EXPORT RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
+  double averageEdgeLength, const Monitor& monitor);
+}
+
+#endif

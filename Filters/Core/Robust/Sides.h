@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Sides.h
+/// The smooth faces around a damaged vertex, carried on to it, and which of them it belongs to.
+
+#ifndef arris_Robust_Sides_h
+#define arris_Robust_Sides_h
+
+#include "Core/IndexSet.h"
+#include "Patches.h"
+#include "Sheet.h"
+
+namespace arris
+{
+/// One of the faces around a vertex.
+struct Side
+{
+  Index Patch;
+  Sheet Surface;
+  double Distance; ///< from the vertex to the nearest sample
+  double Cost; ///< how ill the vertex fits this face: small for the one it lies on
+};
+
+/// Finds the sides of vertices. Keeps its working memory: use one object a thread.
+class SideFinder
+{
+public:
+  SideFinder(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
+    const std::vector<double>& scales, const std::vector<double>& flatness, const Flags& region,
+    const Patches& patches)
+    : TheMesh(mesh)
+    , TheConnectivity(connectivity)
+    , TheFaces(faces)
+    , Scales(scales)
+    , Flatness(flatness)
+    , Region(region)
+    , ThePatches(patches)
+  {
+  }
+
+  std::vector<Side> Find(Index vertex);
+
+private:
+  struct Near
+  {
+    double Distance;
+    Index Vertex;
+  };
+  void GatherNear(Index vertex, double radius);
+  void Fit(Index vertex, Side& side);
+
+  const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
+  const Faces& TheFaces;
+  const std::vector<double>& Scales;
+  const std::vector<double>& Flatness;
+  const Flags& Region;
+  const Patches& ThePatches;
+  IndexSet Seen;
+  std::vector<Index> Queue;
+  std::vector<Near> Static;
+  std::vector<SheetSample> Samples;
+};
+}
+
+#endif

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Turn.h"
+
+#include "Core/Geometry.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arris
+{
+namespace
+{
+// Lengths in local scales. The sides are looked at in a ring: nearer than its inner radius a
+// sampled edge is damaged, farther than the outer one the next feature may begin.
+constexpr double RingInner = 1.0;
+constexpr double RingOuter = 3.0;
+constexpr double WideRingShift = 0.5;
+constexpr double HalfWidthAlong = 1.5; // how far along the edge a side reaches
+
+/// The least area of a side that can be believed, in squares of the local scale.
+constexpr double LeastSideArea = 0.3;
+
+/// Pulls the slope of a side toward none, in squares of the local scale, where its faces stand in
+/// one row and give no slope.
+constexpr double SlopeRidge = 0.02;
+
+/// A window with less deviation holds no edge, in degrees.
+constexpr double FlatDeviation = 6.0;
+
+double Degrees(double radians)
+{
+  return radians * 180.0 / Pi;
+}
+
+double AngleBetween(const Vec3& a, const Vec3& b)
+{
+  return Degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
+}
+}
+
+TurnMeter::TurnMeter(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
+  const std::vector<double>& scales)
+  : TheMesh(mesh)
+  , TheConnectivity(connectivity)
+  , TheFaces(faces)
+  , Scales(scales)
+  , Window(mesh, connectivity)
+{
+}
+
+Turn TurnMeter::Measure(Index vertex)
+{
+  Turn best;
+  this->Scale = this->Scales[vertex];
+  this->Position = this->TheMesh.Points[vertex];
+  const std::vector<Index>& window = this->Window.Gather(vertex, TurnWindow * this->Scale);
+  best.Deviation = AngleOfDifference(this->Spread.Largest(window, this->TheFaces.Normals));
+  if (best.Deviation < FlatDeviation)
+  {
+    return best;
+  }
+
+  this->GatherNear(vertex, RingOuter + WideRingShift);
+  Vec3 sum = Vec3::Zero();
+  double area = 0.0;
+  for (const SeenFace& seen : this->Near)
+  {
+    sum += this->TheFaces.AreaVectors[seen.Face];
+    area += this->TheFaces.AreaVectors[seen.Face].norm();
+  }
+  if (!(sum.norm() > 0.0))
+  {
+    return best;
+  }
+  const Vec3 meanNormal = sum.normalized();
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const SeenFace& seen : this->Near)
+  {
+    const Vec3& areaVector = this->TheFaces.AreaVectors[seen.Face];
+    const double faceArea = areaVector.norm();
+    if (faceArea > 0.0)
+    {
+      const Vec3 difference = areaVector / faceArea - meanNormal;
+      spread += faceArea * difference * difference.transpose();
+    }
+  }
+  // Across the edge the normals vary most. At a hole's rim they may vary more along it: the second
+  // direction is tried as well.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  for (int axis : { 2, 1 })
+  {
+    Vec3 across = solver.eigenvectors().col(axis);
+    across -= across.dot(meanNormal) * meanNormal;
+    if (across.norm() < 0.3)
+    {
+      continue;
+    }
+    across.normalize();
+    Turn turn = best;
+    this->MeasureAcross(meanNormal, across, window, turn);
+    if (axis == 2 || turn.Jump > best.Jump)
+    {
+      best = turn;
+    }
+  }
+  return best;
+}
+
+void TurnMeter::MeasureAcross(
+  const Vec3& meanNormal, const Vec3& across, const std::vector<Index>& window, Turn& turn) const
+{
+  const Vec3 along = meanNormal.cross(across);
+  const Side left = this->FitSide(across, along, -1.0, RingInner, RingOuter);
+  const Side right = this->FitSide(across, along, 1.0, RingInner, RingOuter);
+  turn.Jump = this->JumpOf(left, right, across);
+  turn.WideJump = this->JumpOf(
+    this->FitSide(across, along, -1.0, RingInner + WideRingShift, RingOuter + WideRingShift),
+    this->FitSide(across, along, 1.0, RingInner + WideRingShift, RingOuter + WideRingShift),
+    across);
+
+  double least = 1e300, most = -1e300, first = 1e300, last = -1e300;
+  for (Index face : window)
+  {
+    const Vec3& normal = this->TheFaces.Normals[face];
+    if (normal.isZero(0.0))
+    {
+      continue;
+    }
+    const double angle = Degrees(std::atan2(normal.dot(across), normal.dot(meanNormal)));
+    least = std::min(least, angle);
+    most = std::max(most, angle);
+    const double s = (this->TheFaces.Centroids[face] - this->Position).dot(across) / this->Scale;
+    first = std::min(first, s);
+    last = std::max(last, s);
+  }
+  turn.Across = most > least ? most - least : 0.0;
+  const double steepest = std::max(std::abs(left.Known ? left.Slope.dot(across) : 0.0),
+    std::abs(right.Known ? right.Slope.dot(across) : 0.0));
+  turn.Concentrated = turn.Across - Degrees((last - first) * steepest);
+}
+
+void TurnMeter::GatherNear(Index vertex, double radius)
+{
+  this->Near.clear();
+  this->Seen.Clear();
+  const auto look = [&](Index face)
+  {
+    if (face == NoIndex || !this->Seen.Insert(face))
+    {
+      return;
+    }
+    const Vec3 offset = (this->TheFaces.Centroids[face] - this->Position) / this->Scale;
+    if (offset.squaredNorm() <= radius * radius)
+    {
+      this->Near.push_back({ offset, face });
+    }
+  };
+  for (Index face : this->TheConnectivity.TrianglesOfVertex[vertex])
+  {
+    look(face);
+  }
+  for (std::size_t next = 0; next < this->Near.size(); ++next)
+  {
+    for (Index face : this->TheConnectivity.AcrossEdge[this->Near[next].Face])
+    {
+      look(face);
+    }
+  }
+}
+
+TurnMeter::Side TurnMeter::FitSide(
+  const Vec3& across, const Vec3& along, double sign, double nearest, double farthest) const
+{
+  double w = 0.0, ws = 0.0, wss = 0.0;
+  Vec3 wn = Vec3::Zero(), wsn = Vec3::Zero();
+  for (const SeenFace& seen : this->Near)
+  {
+    const double s = seen.Offset.dot(across);
+    if (s * sign < nearest || std::abs(seen.Offset.dot(along)) > HalfWidthAlong ||
+      seen.Offset.squaredNorm() > farthest * farthest)
+    {
+      continue;
+    }
+    const Vec3& areaVector = this->TheFaces.AreaVectors[seen.Face];
+    const double area = areaVector.norm();
+    w += area;
+    ws += area * s;
+    wss += area * s * s;
+    wn += areaVector;
+    wsn += s * areaVector;
+  }
+  Side side;
+  if (w < LeastSideArea * this->Scale * this->Scale)
+  {
+    return side;
+  }
+  const double meanS = ws / w;
+  side.Mean = wn / w;
+  side.Slope = (wsn / w - meanS * side.Mean) / (wss / w - meanS * meanS + SlopeRidge);
+  side.Intercept = side.Mean - meanS * side.Slope;
+  side.Known = true;
+  return side;
+}
+
+double TurnMeter::JumpOf(const Side& left, const Side& right, const Vec3& across) const
+{
+  if (!left.Known || !right.Known)
+  {
+    return 0.0;
+  }
+  const double angle = AngleBetween(left.Intercept, right.Intercept);
+  const bool against =
+    (right.Intercept - left.Intercept).dot(across) * (right.Mean - left.Mean).dot(across) < 0.0;
+  return against ? -angle : angle;
+}
+}

@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Untangle.h"
+
+#include "Core/Geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arris
+{
+namespace
+{
+/// Triangles under this quality are mended.
+constexpr double BadQuality = 0.01;
+
+/// Better than this a triangle need not become.
+constexpr double GoodEnough = 0.15;
+
+constexpr int Rounds = 20;
+constexpr int RoundsAlone = 2;
+
+class Untangler
+{
+public:
+  Untangler(const Mesh& mesh, const Connectivity& connectivity, const std::vector<double>& scales,
+    Placement& placement)
+    : TheMesh(mesh)
+    , TheConnectivity(connectivity)
+    , Scales(scales)
+    , ThePlacement(placement)
+  {
+  }
+
+  void Run()
+  {
+    std::vector<Index> suspects;
+    for (Index t = 0; t < this->TheMesh.TriangleCount(); ++t)
+    {
+      if (this->ThePlacement.LabelOf(t) != NoIndex)
+      {
+        suspects.push_back(t);
+      }
+    }
+    for (int round = 0; round < Rounds && !suspects.empty(); ++round)
+    {
+      this->Touched.clear();
+      std::vector<Index> bad = this->BadAmong(suspects);
+      // What single vertices could not mend in a few rounds may want room made by the ones around.
+      const bool stuck = round >= RoundsAlone;
+      for (Index v : stuck ? this->VerticesOf(this->TrianglesAround(this->VerticesOf(bad)))
+                           : this->VerticesOf(bad))
+      {
+        this->Slide(v);
+      }
+      for (Index t : this->BadAmong(bad))
+      {
+        this->Relabel(t);
+      }
+      suspects = this->TrianglesAround(this->Touched);
+    }
+  }
+
+private:
+  std::vector<Index> BadAmong(const std::vector<Index>& triangles) const
+  {
+    std::vector<Index> bad;
+    for (Index t : triangles)
+    {
+      if (this->ThePlacement.LabelOf(t) != NoIndex && this->ThePlacement.Quality(t) < BadQuality)
+      {
+        bad.push_back(t);
+      }
+    }
+    return bad;
+  }
+
+  static void SortUnique(std::vector<Index>& indices)
+  {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  }
+
+  std::vector<Index> VerticesOf(const std::vector<Index>& triangles) const
+  {
+    std::vector<Index> vertices;
+    for (Index t : triangles)
+    {
+      for (Index v : this->TheMesh.Triangles[t])
+      {
+        if (this->ThePlacement.IsDamaged(v))
+        {
+          vertices.push_back(v);
+        }
+      }
+    }
+    SortUnique(vertices);
+    return vertices;
+  }
+
+  std::vector<Index> TrianglesAround(const std::vector<Index>& vertices) const
+  {
+    std::vector<Index> triangles;
+    for (Index v : vertices)
+    {
+      for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
+      {
+        triangles.push_back(t);
+      }
+    }
+    SortUnique(triangles);
+    return triangles;
+  }
+
+  /// What triangles are worth; those that are good enough count alike.
+  double Worth(IndexSpan triangles) const
+  {
+    double worth = 0.0;
+    for (Index t : triangles)
+    {
+      worth += std::min(this->ThePlacement.Quality(t), GoodEnough);
+    }
+    return worth;
+  }
+
+  double Worth(const std::vector<Index>& triangles) const
+  {
+    return this->Worth(IndexSpan(triangles.data(), triangles.data() + triangles.size()));
+  }
+
+  void Slide(Index v)
+  {
+    const std::vector<const Sheet*>& sheets = this->ThePlacement.SheetsOf(v);
+    if (sheets.empty() || sheets.size() > 2)
+    {
+      return;
+    }
+    const Vec3 start = this->ThePlacement.PointOf(v);
+    const IndexSpan around = this->TheConnectivity.TrianglesOfVertex[v];
+    Vec3 best = start;
+    double bestWorth = this->Worth(around) + 1e-6;
+    const auto attempt = [&](const Vec3& target)
+    {
+      const Vec3 point = this->ThePlacement.Held(v, target);
+      this->ThePlacement.SetPoint(v, point);
+      const double worth = this->Worth(around);
+      this->ThePlacement.SetPoint(v, start);
+      if (worth > bestWorth)
+      {
+        bestWorth = worth;
+        best = point;
+      }
+    };
+    Vec3 center = Vec3::Zero();
+    const IndexSpan neighbors = this->TheConnectivity.NeighborsOfVertex[v];
+    for (Index n : neighbors)
+    {
+      center += this->ThePlacement.PointOf(n);
+    }
+    center /= neighbors.size();
+    attempt(center);
+    attempt(0.5 * (center + start));
+    const Vec3 normal = sheets[0]->Normal(start);
+    for (const double step : { 0.05, 0.15, 0.4, 0.8 })
+    {
+      const double length = step * this->Scales[v];
+      if (sheets.size() == 2)
+      {
+        const Vec3 along = normal.cross(sheets[1]->Normal(start)).normalized();
+        attempt(start + length * along);
+        attempt(start - length * along);
+        continue;
+      }
+      const Vec3 u = normal.unitOrthogonal();
+      const Vec3 w = normal.cross(u);
+      for (int k = 0; k < 8; ++k)
+      {
+        const double angle = k * Pi / 4.0;
+        attempt(start + length * (std::cos(angle) * u + std::sin(angle) * w));
+      }
+    }
+    if (best != start)
+    {
+      this->ThePlacement.SetPoint(v, best);
+      this->Touched.push_back(v);
+    }
+  }
+
+  /// The triangles of a fan around `v` that bear one label.
+  std::vector<Index> Sector(Index v, Index label) const
+  {
+    std::vector<Index> sector;
+    for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
+    {
+      if (this->ThePlacement.LabelOf(t) == label)
+      {
+        sector.push_back(t);
+      }
+    }
+    return sector;
+  }
+
+  bool OnRidge(Index v) const
+  {
+    return this->ThePlacement.IsDamaged(v) && this->ThePlacement.SheetsOf(v).size() > 1;
+  }
+
+  /// The triangles of one label that are shut in with `bad` between edges of the ridge: where the
+  /// ridge runs past a chord of itself, they have no room. Empty if there are too many for that.
+  std::vector<Index> Pocket(Index bad) const
+  {
+    constexpr std::size_t Largest = 24;
+    const Index label = this->ThePlacement.LabelOf(bad);
+    std::vector<Index> pocket(1, bad);
+    for (std::size_t next = 0; next < pocket.size(); ++next)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Triangle& corners = this->TheMesh.Triangles[pocket[next]];
+        const Index beyond = this->TheConnectivity.AcrossEdge[pocket[next]][k];
+        if (beyond == NoIndex || this->ThePlacement.LabelOf(beyond) != label ||
+          (this->OnRidge(corners[k]) && this->OnRidge(corners[Next(k)])) ||
+          std::find(pocket.begin(), pocket.end(), beyond) != pocket.end())
+        {
+          continue;
+        }
+        if (pocket.size() == Largest)
+        {
+          return {};
+        }
+        pocket.push_back(beyond);
+      }
+    }
+    return pocket;
+  }
+
+  /// Gives the triangle, or with it what bears its label around one of its corners, to the face of
+  /// one of its neighbours, if that is worth it.
+  void Relabel(Index bad)
+  {
+    const Index own = this->ThePlacement.LabelOf(bad);
+    std::vector<Index> labels;
+    for (Index v : this->TheMesh.Triangles[bad])
+    {
+      for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
+      {
+        const Index label = this->ThePlacement.LabelOf(t);
+        if (label != NoIndex && label != own)
+        {
+          labels.push_back(label);
+        }
+      }
+    }
+    SortUnique(labels);
+    std::vector<std::vector<Index>> groups(1, std::vector<Index>(1, bad));
+    for (Index v : this->TheMesh.Triangles[bad])
+    {
+      groups.push_back(this->Sector(v, own));
+    }
+    groups.push_back(this->Pocket(bad));
+    double bestGain = 1e-6;
+    Index bestLabel = NoIndex;
+    const std::vector<Index>* bestGroup = nullptr;
+    for (const std::vector<Index>& group : groups)
+    {
+      if (group.empty())
+      {
+        continue;
+      }
+      for (Index label : labels)
+      {
+        const double gain = this->GainOf(group, label);
+        if (gain > bestGain)
+        {
+          bestGain = gain;
+          bestLabel = label;
+          bestGroup = &group;
+        }
+      }
+    }
+    if (bestGroup != nullptr)
+    {
+      const std::vector<Index> vertices = this->VerticesOf(*bestGroup);
+      this->Apply(*bestGroup, bestLabel, vertices);
+      this->Touched.insert(this->Touched.end(), vertices.begin(), vertices.end());
+    }
+  }
+
+  void Apply(const std::vector<Index>& group, Index label, const std::vector<Index>& vertices)
+  {
+    for (Index t : group)
+    {
+      this->ThePlacement.SetLabel(t, label);
+    }
+    for (Index v : vertices)
+    {
+      this->ThePlacement.Place(v);
+    }
+    for (Index v : vertices)
+    {
+      this->Slide(v);
+    }
+  }
+
+  /// What relabelling would gain; everything is put back.
+  double GainOf(const std::vector<Index>& group, Index label)
+  {
+    for (Index t : group)
+    {
+      for (Index v : this->TheMesh.Triangles[t])
+      {
+        if (!this->ThePlacement.IsDamaged(v))
+        {
+          return 0.0; // an intact vertex stays on its own face
+        }
+      }
+    }
+    const std::vector<Index> vertices = this->VerticesOf(group);
+    const std::vector<Index> triangles = this->TrianglesAround(vertices);
+    const double before = this->Worth(triangles);
+    std::vector<Vec3> points;
+    for (Index v : vertices)
+    {
+      points.push_back(this->ThePlacement.PointOf(v));
+    }
+    const Index own = this->ThePlacement.LabelOf(group.front());
+    this->Apply(group, label, vertices);
+    const double gain = this->Worth(triangles) - before;
+    for (Index t : group)
+    {
+      this->ThePlacement.SetLabel(t, own);
+    }
+    for (Index v : vertices)
+    {
+      this->ThePlacement.Place(v);
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      this->ThePlacement.SetPoint(vertices[i], points[i]);
+    }
+    return gain;
+  }
+
+  const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
+  const std::vector<double>& Scales;
+  Placement& ThePlacement;
+  std::vector<Index> Touched;
+};
+}
+
+void Untangle(const Mesh& mesh, const Connectivity& connectivity, const std::vector<double>& scales,
+  Placement& placement)
+{
+  Untangler(mesh, connectivity, scales, placement).Run();
+}
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "RobustMethod.h"
+
+#include "Core/Robust/Robust.h"
+#include "Core/Robust/Turn.h"
+#include "Support/Arrays.h"
+
+#include <vtkPolyData.h>
+
+namespace arris
+{
+bool RecoverByRobust(const Surface& surface, const Monitor& monitor, vtkPolyData* output)
+{
+  const Mesh& mesh = surface.Triangulation;
+  const RobustResult result =
+    RecoverRobustly(mesh, surface.Adjacency, surface.AverageEdgeLength, monitor);
+  if (result.Points.size() != mesh.Points.size())
+  {
+    return false;
+  }
+  AddClassification(output, result.NormalDifferences, result.WindowRadii, result.Region);
+  AddThinning(output, result.Rounds, result.Roles);
+  AddFieldValue(output, array::Lambda, TurnWindow * surface.AverageEdgeLength);
+  AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);
+  AddFieldValue(output, array::ClassificationSeconds, result.ClassificationSeconds);
+  AddFieldValue(output, array::ThinningSeconds, result.ThinningSeconds);
+  AddFieldValue(output, array::SharpeningSeconds, result.SharpeningSeconds);
+  ReplacePoints(output, mesh.Points, result.Points);
+  AddDisplacement(output, mesh.Points);
+  return true;
+}
+}
