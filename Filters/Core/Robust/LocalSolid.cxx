@@ -26,16 +26,15 @@ double MeanDistance(const std::vector<SheetSample>& samples, const Sheet& sheet)
 
 void LocalSolid::AddSheet(const Sheet& sheet, const std::vector<SheetSample>& samples)
 {
+  const std::size_t added = this->Sheets.size();
+  this->MeanDistances.emplace_back(added + 1, 0.0);
+  for (std::size_t other = 0; other < added; ++other)
+  {
+    this->MeanDistances[added][other] = MeanDistance(samples, this->Sheets[other]);
+    this->MeanDistances[other].push_back(MeanDistance(this->Samples[other], sheet));
+  }
   this->Sheets.push_back(sheet);
   this->Samples.push_back(samples);
-}
-
-bool LocalSolid::Convex(int a, int b) const
-{
-  // Where they disagree (a sheet that crosses the other), the larger distance is the clearer word.
-  return MeanDistance(this->Samples[a], this->Sheets[b]) +
-    MeanDistance(this->Samples[b], this->Sheets[a]) <
-    0.0;
 }
 
 double LocalSolid::Value(const Vec3& point) const

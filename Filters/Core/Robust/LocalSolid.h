@@ -25,12 +25,19 @@ public:
 
 private:
   using Members = std::vector<int>;
-  bool Convex(int a, int b) const;
+  bool Convex(int a, int b) const
+  {
+    return this->MeanDistances[a][b] + this->MeanDistances[b][a] < 0.0;
+  }
   double ValueOf(const Members& members, const std::vector<double>& distances) const;
   std::vector<Members> Groups(const Members& members, bool convex) const;
 
   std::vector<Sheet> Sheets;
   std::vector<std::vector<SheetSample>> Samples;
+
+  /// How far the samples of one sheet are from another, on average. Where two sheets disagree on
+  /// how they meet (one crosses the other), the larger of their distances is the clearer word.
+  std::vector<std::vector<double>> MeanDistances;
 };
 }
 

@@ -15,6 +15,9 @@ namespace
 {
 /// The farthest a vertex may be moved, in local scales: farther away no sampling has taken it from.
 constexpr double LongestMove = 3.25;
+
+/// A vertex this near to its faces is right already, and keeps every bit; in local scales.
+constexpr double LeastMove = 0.003;
 }
 
 Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const Labelling& labelling,
@@ -82,13 +85,14 @@ void Placement::Place(Index vertex)
   if (!sheets.empty())
   {
     const Vec3 point = MeetSheets(x, sheets);
-    if ((point - x).norm() <= LongestMove * this->Scales[vertex])
-    {
-      this->Points[vertex] = point;
-    }
-    else
+    const double move = (point - x).norm() / this->Scales[vertex];
+    if (move > LongestMove)
     {
       sheets.clear();
+    }
+    else if (move > LeastMove)
+    {
+      this->Points[vertex] = point;
     }
   }
 }

@@ -19,8 +19,6 @@ constexpr double CornerDeviation = 55.0; // no smooth surface that is sampled tu
 constexpr std::size_t SmallestSeedGroup = 6;
 
 constexpr double RegionJump = 12.0;
-constexpr double RegionShare = 0.15; // T over J at the border of a sharp edge's region
-constexpr double RegionShareBlend = 0.07; // less by this where the edge is blended
 constexpr double Reach = 1.6; // from a seed
 constexpr double ReachBlend = 1.2;
 constexpr double Dilation = 1.4; // of a blended edge's region
@@ -202,10 +200,10 @@ private:
       for (Index n : this->TheConnectivity.NeighborsOfVertex[at.Vertex])
       {
         const Turn& turn = this->Turns[n];
-        const double share = RegionShare - RegionShareBlend * blend;
         const double distance = (this->TheMesh.Points[n] - this->TheMesh.Points[at.Seed]).norm();
-        if (!region[n] && turn.Jump >= RegionJump &&
-          turn.Across >= std::max(LeastAcross, share * turn.Jump) &&
+        // Concentrated: the window turns by more than the curvature of the sides would make it.
+        if (!region[n] && turn.Jump >= RegionJump && turn.Across >= LeastAcross &&
+          turn.Concentrated >= 0.0 &&
           distance <= (Reach + ReachBlend * blend) * this->Scales[at.Seed])
         {
           front.push({ distance, n, at.Seed });
