@@ -21,6 +21,10 @@ constexpr double GoodEnough = 0.15;
 constexpr int Rounds = 20;
 constexpr int RoundsAlone = 2;
 
+/// Vertices with more triangles than any sampling makes are not worked on: their fans come from
+/// tessellation, and trying all moves there would take the square of their size.
+constexpr Index LargestFan = 32;
+
 class Untangler
 {
 public:
@@ -132,7 +136,8 @@ private:
   void Slide(Index v)
   {
     const std::vector<const Sheet*>& sheets = this->ThePlacement.SheetsOf(v);
-    if (sheets.empty() || sheets.size() > 2)
+    if (sheets.empty() || sheets.size() > 2 ||
+      this->TheConnectivity.TrianglesOfVertex[v].size() > LargestFan)
     {
       return;
     }
@@ -239,6 +244,13 @@ private:
   /// one of its neighbours, if that is worth it.
   void Relabel(Index bad)
   {
+    for (Index v : this->TheMesh.Triangles[bad])
+    {
+      if (this->TheConnectivity.TrianglesOfVertex[v].size() > LargestFan)
+      {
+        return;
+      }
+    }
     const Index own = this->ThePlacement.LabelOf(bad);
     std::vector<Index> labels;
     for (Index v : this->TheMesh.Triangles[bad])
