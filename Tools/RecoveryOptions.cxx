@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "RecoveryOptions.h"
+
+#include "Text.h"
+#include "Validators.h"
+
+#include "Support/Parameters.h"
+
+#include <CLI/CLI.hpp>
+
+namespace arris
+{
+namespace
+{
+constexpr const char* WindowOption = "--window";
+constexpr const char* WindowRatioOption = "--window-ratio";
+constexpr const char* SharpAngleOption = "--sharp-angle";
+constexpr const char* WindowSearchOption = "--window-search";
+
+void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const std::string& group)
+{
+  CLI::Option* window = command
+                          .add_option(WindowOption, options.Window,
+                            "Window radius lambda, in the mesh's unit of length")
+                          ->check(Positive())
+                          ->type_name("LENGTH")
+                          ->group(group);
+  command
+    .add_option(WindowRatioOption, options.WindowRatio,
+      "Window radius as a multiple of the average edge length\n(default " +
+        Number(DefaultWindowRatio) + "; 0.5 to 1.5 are sensible)")
+    ->check(Positive())
+    ->type_name("R")
+    ->excludes(window)
+    ->group(group);
+  command
+    .add_option(SharpAngleOption, options.SharpAngle,
+      "Vertices are sharp where the normals in their window\ndeviate by this (default " +
+        Number(DefaultSharpAngle) + ")")
+    ->check(Angle())
+    ->type_name("DEGREES")
+    ->group(group);
+  command
+    .add_option(WindowSearchOption, options.WindowSearch,
+      "connected (default): a window holds what is connected in\nit; spatial: all that is near")
+    ->check(OneOf({ "connected", "spatial" }))
+    ->type_name("connected|spatial")
+    ->group(group);
+}
+}
+
+void AddClassificationOptions(CLI::App& command, ClassificationOptions& options)
+{
+  AddWindowOptions(command, options, "Method");
+}
+
+void AddRecoveryOptions(CLI::App& command, RecoveryOptions& options)
+{
+  command
+    .add_option("--method", options.Method,
+      "robust (default): needs no parameters; paper: step by\nstep as published")
+    ->check(OneOf({ "paper", "robust" }))
+    ->type_name("paper|robust")
+    ->group("Method");
+  AddWindowOptions(command, options, "Method paper");
+  command.callback(
+    [&command, &options]
+    {
+      for (const char* option :
+        { WindowOption, WindowRatioOption, SharpAngleOption, WindowSearchOption })
+      {
+        if (options.Method != "paper" && command.count(option) > 0)
+        {
+          throw CLI::ValidationError(option, "applies to --method paper only");
+        }
+      }
+    });
+}
+}

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Stages.h"
+
+#include "ErrorCapture.h"
+#include "Failure.h"
+#include "Session.h"
+#include "Text.h"
+#include "Validators.h"
+
+#include "Support/Arrays.h"
+#include "Support/Parameters.h"
+#include "vtkSharpEdgeExtractor.h"
+#include "vtkSharpEdgeReconstruction.h"
+#include "vtkUSSODFilter.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arris
+{
+namespace
+{
+using Json = Session::Json;
+
+void Run(Session& session, vtkAlgorithm* filter, const std::string& stage, const std::string& name)
+{
+  const ErrorCapture capture;
+  session.Progress.Follow(stage, filter);
+  filter->Update();
+  session.Progress.Clear();
+  const std::string cause = capture.FirstError();
+  if (!cause.empty())
+  {
+    throw Failure(name, cause, "repair the mesh first");
+  }
+}
+
+template <typename Filter>
+void SetClassification(Filter* filter, const ClassificationOptions& options)
+{
+  if (options.Window)
+  {
+    filter->SetWindow(*options.Window);
+  }
+  if (options.WindowRatio)
+  {
+    filter->SetWindowRatio(*options.WindowRatio);
+  }
+  if (options.SharpAngle)
+  {
+    filter->SetSharpAngle(*options.SharpAngle);
+  }
+  filter->SetWindowSearch(options.WindowSearch == "spatial" ? Filter::SPATIAL : Filter::CONNECTED);
+}
+
+/// The number of that name in the field data, or 0.
+double FieldNumber(vtkPolyData* mesh, const char* name)
+{
+  vtkDataArray* values = mesh->GetFieldData()->GetArray(name);
+  return values != nullptr && values->GetNumberOfTuples() > 0 ? values->GetComponent(0, 0) : 0.0;
+}
+
+/// Moves how long a stage took from the mesh, where it would make every file a different one, to
+/// the report.
+void TakeSeconds(Session& session, vtkPolyData* mesh)
+{
+  for (const auto& [stage, array] : { std::pair{ "classification", array::ClassificationSeconds },
+         std::pair{ "thinning", array::ThinningSeconds },
+         std::pair{ "sharpening", array::SharpeningSeconds } })
+  {
+    if (mesh->GetFieldData()->HasArray(array))
+    {
+      session.AddSeconds(stage, FieldNumber(mesh, array));
+      mesh->GetFieldData()->RemoveArray(array);
+    }
+  }
+}
+
+/// How many points have this value.
+vtkIdType CountValue(vtkPolyData* mesh, const char* name, double value)
+{
+  vtkDataArray* values = mesh->GetPointData()->GetArray(name);
+  vtkIdType count = 0;
+  for (vtkIdType v = 0; values != nullptr && v < values->GetNumberOfTuples(); ++v)
+  {
+    count += values->GetComponent(v, 0) == value ? 1 : 0;
+  }
+  return count;
+}
+
+/// The parameters of the paper's method, and of the classification alone.
+void ReportWindow(Session& session, vtkPolyData* mesh, const ClassificationOptions& options)
+{
+  const double lambda = FieldNumber(mesh, array::Lambda);
+  const double angle = FieldNumber(mesh, array::SharpAngle);
+  const double edge = FieldNumber(mesh, array::AverageEdgeLength);
+  Json& parameters = session.Report["parameters"];
+  parameters["window"] = lambda;
+  parameters["window_ratio"] = edge > 0.0 ? lambda / edge : 0.0;
+  parameters["sharp_angle"] = angle;
+  parameters["window_search"] = options.WindowSearch;
+  session.Say("window radius " + Number(lambda) + ", sharp angle " + Number(angle) + " degrees");
+}
+
+/// The sharp region of any method.
+void ReportRegion(Session& session, vtkPolyData* mesh)
+{
+  const double edge = FieldNumber(mesh, array::AverageEdgeLength);
+  const vtkIdType sharp = CountValue(mesh, array::SharpRegion, 1.0);
+  session.Report["average_edge_length"] = edge;
+  session.Report["counts"]["sharp_vertices"] = sharp;
+  session.Say("average edge length " + Number(edge));
+  session.Say("sharp region: " + Count(sharp, "vertex", "vertices"));
+}
+
+void ReportSkeleton(Session& session, vtkPolyData* mesh)
+{
+  const vtkIdType branch = CountValue(mesh, array::SkeletonRole, 1.0);
+  const vtkIdType joint = CountValue(mesh, array::SkeletonRole, 2.0);
+  const vtkIdType end = CountValue(mesh, array::SkeletonRole, 3.0);
+  session.Report["counts"]["skeleton_vertices"] = {
+    { "branch", branch },
+    { "joint", joint },
+    { "end", end },
+  };
+  session.Say("skeleton: " + Count(branch, "branch vertex", "branch vertices") + ", " +
+    Count(joint, "joint", "joints") + ", " + Count(end, "end", "ends"));
+}
+
+void ReportDisplacement(Session& session, vtkPolyData* mesh)
+{
+  vtkDataArray* displacement = mesh->GetPointData()->GetArray(array::Displacement);
+  double largest = 0.0;
+  double sum = 0.0;
+  vtkIdType moved = 0;
+  for (vtkIdType v = 0; displacement != nullptr && v < displacement->GetNumberOfTuples(); ++v)
+  {
+    const double length = std::hypot(displacement->GetComponent(v, 0),
+      displacement->GetComponent(v, 1), displacement->GetComponent(v, 2));
+    largest = std::max(largest, length);
+    sum += length;
+    moved += length > 0.0 ? 1 : 0;
+  }
+  const double mean = moved > 0 ? sum / static_cast<double>(moved) : 0.0;
+  session.Report["counts"]["moved_vertices"] = moved;
+  session.Report["displacement"] = { { "largest", largest }, { "mean_of_moved", mean } };
+  session.Say("moved: " + Count(moved, "vertex", "vertices") + ", by " + Number(mean) +
+    " on average, " + Number(largest) + " at most");
+}
+}
+
+FeatureOptions::FeatureOptions()
+  : FeatureAngle(DefaultFeatureAngle)
+  , CornerAngle(DefaultCornerAngle)
+{
+}
+
+void AddFeatureOptions(CLI::App& command, FeatureOptions& options)
+{
+  command
+    .add_option("--feature-angle", options.FeatureAngle,
+      "Edges whose triangles' normals differ by more are\nfeatures (default " +
+        Number(options.FeatureAngle) + ")")
+    ->check(Angle())
+    ->type_name("DEGREES")
+    ->group("Features");
+  command
+    .add_option("--corner-angle", options.CornerAngle,
+      "Curves that turn by more are split there\n(default " + Number(options.CornerAngle) +
+        "; 180 for never)")
+    ->check(Angle())
+    ->type_name("DEGREES")
+    ->group("Features");
+}
+
+void ReportMesh(Session& session, vtkPolyData* mesh, const std::string& name)
+{
+  session.Report["counts"]["vertices"] = mesh->GetNumberOfPoints();
+  session.Report["counts"]["triangles"] = mesh->GetNumberOfPolys();
+  session.Say(name + ": " + Count(mesh->GetNumberOfPoints(), "vertex", "vertices") + ", " +
+    Count(mesh->GetNumberOfPolys(), "triangle", "triangles"));
+}
+
+vtkSmartPointer<vtkPolyData> Classify(Session& session, vtkPolyData* mesh, const std::string& name,
+  const ClassificationOptions& options)
+{
+  vtkNew<vtkUSSODFilter> filter;
+  filter->SetInputData(mesh);
+  SetClassification(filter.Get(), options);
+  Run(session, filter, "classifying", name);
+  const vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
+  TakeSeconds(session, result);
+  ReportMesh(session, result, name);
+  ReportWindow(session, result, options);
+  ReportRegion(session, result);
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> Recover(
+  Session& session, vtkPolyData* mesh, const std::string& name, const RecoveryOptions& options)
+{
+  vtkNew<vtkSharpEdgeReconstruction> filter;
+  filter->SetInputData(mesh);
+  filter->SetMethod(options.Method == "paper" ? vtkSharpEdgeReconstruction::PAPER
+                                              : vtkSharpEdgeReconstruction::ROBUST);
+  SetClassification(filter.Get(), options);
+  session.Report["parameters"]["method"] = options.Method;
+  Run(session, filter, "recovering", name);
+  const vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
+  TakeSeconds(session, result);
+  ReportMesh(session, result, name);
+  if (options.Method == "paper")
+  {
+    ReportWindow(session, result, options);
+  }
+  else
+  {
+    // Those that an earlier run with the paper's method has left there would be wrong.
+    result->GetFieldData()->RemoveArray(array::SharpAngle);
+    session.Report["parameters"]["window"] = FieldNumber(result, array::Lambda);
+  }
+  ReportRegion(session, result);
+  ReportSkeleton(session, result);
+  ReportDisplacement(session, result);
+  return result;
+}
+
+Features FindFeatures(
+  Session& session, vtkPolyData* mesh, const std::string& name, const FeatureOptions& options)
+{
+  const auto timer = session.Time("extraction");
+  vtkNew<vtkSharpEdgeExtractor> filter;
+  filter->SetInputData(mesh);
+  filter->SetFeatureAngle(options.FeatureAngle);
+  filter->SetCornerAngle(options.CornerAngle);
+  session.Report["parameters"]["feature_angle"] = options.FeatureAngle;
+  session.Report["parameters"]["corner_angle"] = options.CornerAngle;
+  Run(session, filter, "extracting", name);
+  return { filter->GetOutput(), filter->GetCorners(), filter->GetSurfaces() };
+}
+
+void ReportFeatures(Session& session, const Features& found)
+{
+  vtkDataArray* lengths = found.Curves->GetCellData()->GetArray(array::CurveLength);
+  double length = 0.0;
+  for (vtkIdType i = 0; lengths != nullptr && i < lengths->GetNumberOfTuples(); ++i)
+  {
+    length += lengths->GetComponent(i, 0);
+  }
+  vtkDataArray* ids = found.Surfaces->GetCellData()->GetArray(array::SurfaceId);
+  const vtkIdType surfaces =
+    ids != nullptr && ids->GetNumberOfTuples() > 0 ? vtkIdType(ids->GetRange()[1]) + 1 : 0;
+  Json& counts = session.Report["counts"];
+  counts["curves"] = found.Curves->GetNumberOfCells();
+  counts["corners"] = found.Corners->GetNumberOfPoints();
+  counts["surfaces"] = surfaces;
+  session.Report["curve_length"] = length;
+  session.Say("features: " + Count(found.Curves->GetNumberOfCells(), "curve", "curves") +
+    " of length " + Number(length, 6) + ", " +
+    Count(found.Corners->GetNumberOfPoints(), "corner", "corners") + ", " +
+    Count(surfaces, "surface", "surfaces"));
+}
+}
