@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Core/Curves.h"
+
+#include "Core/FeatureEdges.h"
+#include "Meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace arris;
+using namespace arris::testing;
+
+namespace
+{
+using Edges = std::vector<std::array<Index, 2>>;
+
+constexpr double NoTurns = 180.0;
+
+/// Points one unit apart on the x axis.
+std::vector<Vec3> Line(Index count)
+{
+  std::vector<Vec3> points;
+  for (Index i = 0; i < count; ++i)
+  {
+    points.emplace_back(i, 0.0, 0.0);
+  }
+  return points;
+}
+
+/// The outline of a square of 2 units in 8 edges: corners 0, 2, 4 and 6.
+const std::vector<Vec3> SquarePoints = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0),
+  Vec3(2, 2, 0), Vec3(1, 2, 0), Vec3(0, 2, 0), Vec3(0, 1, 0) };
+const Edges SquareEdges = { { 0, 1 }, { 0, 7 }, { 1, 2 }, { 2, 3 }, { 3, 4 }, { 4, 5 }, { 5, 6 },
+  { 6, 7 } };
+}
+
+TEST(Curves, OfNoEdges)
+{
+  const CurveNetwork network = JoinEdges({}, {}, 60.0);
+  EXPECT_TRUE(network.Curves.empty());
+  EXPECT_TRUE(network.Corners.empty());
+}
+
+TEST(Curves, JoinEdgesEndToEnd)
+{
+  const CurveNetwork network = JoinEdges({ { 1, 2 }, { 3, 4 }, { 0, 1 }, { 2, 3 } }, Line(5), 60.0);
+  ASSERT_EQ(network.Curves.size(), 1u);
+  EXPECT_EQ(network.Curves[0], (Curve{ 0, 1, 2, 3, 4 }));
+  ASSERT_EQ(network.Corners.size(), 2u);
+  EXPECT_EQ(network.Corners[0].Vertex, 0);
+  EXPECT_EQ(network.Corners[0].Valence, 1);
+  EXPECT_EQ(network.Corners[1].Vertex, 4);
+}
+
+TEST(Curves, AClosedOneNamesItsFirstVertexAgain)
+{
+  const CurveNetwork network = JoinEdges(SquareEdges, SquarePoints, NoTurns);
+  ASSERT_EQ(network.Curves.size(), 1u);
+  EXPECT_EQ(network.Curves[0], (Curve{ 0, 1, 2, 3, 4, 5, 6, 7, 0 }));
+  EXPECT_TRUE(network.Corners.empty());
+}
+
+TEST(Curves, AreSplitWhereTheyTurn)
+{
+  const CurveNetwork network = JoinEdges(SquareEdges, SquarePoints, 60.0);
+  EXPECT_EQ(
+    network.Curves, (std::vector<Curve>{ { 0, 1, 2 }, { 0, 7, 6 }, { 2, 3, 4 }, { 4, 5, 6 } }));
+  ASSERT_EQ(network.Corners.size(), 4u);
+  for (const CurveCorner& corner : network.Corners)
+  {
+    EXPECT_EQ(corner.Vertex % 2, 0);
+    EXPECT_EQ(corner.Valence, 2) << "a turn";
+  }
+}
+
+TEST(Curves, TurnOnlyByMoreThanTheAngle)
+{
+  EXPECT_EQ(JoinEdges(SquareEdges, SquarePoints, 89.0).Curves.size(), 4u);
+  EXPECT_EQ(JoinEdges(SquareEdges, SquarePoints, 91.0).Curves.size(), 1u);
+}
+
+TEST(Curves, EndWhereThreeMeet)
+{
+  std::vector<Vec3> points = Line(5);
+  points.emplace_back(2.0, 1.0, 0.0);
+  const CurveNetwork network =
+    JoinEdges({ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 4 }, { 2, 5 } }, points, NoTurns);
+  EXPECT_EQ(network.Curves, (std::vector<Curve>{ { 0, 1, 2 }, { 2, 3, 4 }, { 2, 5 } }));
+  ASSERT_EQ(network.Corners.size(), 4u);
+  EXPECT_EQ(network.Corners[1].Vertex, 2);
+  EXPECT_EQ(network.Corners[1].Valence, 3);
+}
+
+TEST(Curves, ALoopThatHangsOnACornerComesBackToIt)
+{
+  Edges edges = SquareEdges;
+  std::vector<Vec3> points = SquarePoints;
+  points.emplace_back(-1.0, 0.0, 0.0);
+  edges.push_back({ 0, 8 });
+  const CurveNetwork network = JoinEdges(edges, points, NoTurns);
+  EXPECT_EQ(network.Curves, (std::vector<Curve>{ { 0, 1, 2, 3, 4, 5, 6, 7, 0 }, { 0, 8 } }));
+}
+
+TEST(Curves, ClosedOnesComeAfterThoseBetweenCorners)
+{
+  Edges edges = SquareEdges; // a loop from vertex 0 on
+  std::vector<Vec3> points = SquarePoints;
+  points.emplace_back(5.0, 0.0, 0.0);
+  points.emplace_back(6.0, 0.0, 0.0);
+  edges.push_back({ 8, 9 });
+  const CurveNetwork network = JoinEdges(edges, points, NoTurns);
+  ASSERT_EQ(network.Curves.size(), 2u);
+  EXPECT_EQ(network.Curves[0], (Curve{ 8, 9 }));
+  EXPECT_EQ(network.Curves[1].front(), network.Curves[1].back());
+}
+
+TEST(Curves, OfABoxAreItsTwelveEdges)
+{
+  const Mesh mesh = Box(3, 4, 5);
+  Edges edges;
+  for (const FeatureEdge& feature : FindFeatureEdges(mesh, Connectivity(mesh), 30.0, Monitor()))
+  {
+    edges.push_back({ feature.A, feature.B });
+  }
+  const CurveNetwork network = JoinEdges(edges, mesh.Points, 60.0);
+  EXPECT_EQ(network.Curves.size(), 12u);
+  ASSERT_EQ(network.Corners.size(), 8u);
+  std::set<std::pair<Index, Index>> used;
+  for (const Curve& curve : network.Curves)
+  {
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+    {
+      EXPECT_TRUE(used.insert(std::minmax(curve[i], curve[i + 1])).second) << "used twice";
+    }
+  }
+  EXPECT_EQ(used.size(), edges.size());
+  for (const CurveCorner& corner : network.Corners)
+  {
+    EXPECT_EQ(corner.Valence, 3);
+  }
+}

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Core/Surfaces.h"
+
+#include "Core/Geometry.h"
+#include "Meshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace arris;
+using namespace arris::testing;
+
+namespace
+{
+std::vector<Index> Ids(const Mesh& mesh, double angle = 30.0)
+{
+  const Connectivity connectivity(mesh);
+  return SurfaceIds(mesh, connectivity, FindFeatureEdges(mesh, connectivity, angle, Monitor()));
+}
+}
+
+TEST(Surfaces, ASmoothMeshIsOne)
+{
+  const Mesh mesh = Torus(4.0, 1.0, 40, 20);
+  EXPECT_EQ(Ids(mesh), std::vector<Index>(mesh.Triangles.size(), 0));
+}
+
+TEST(Surfaces, OfABoxAreItsFacesTheLargestFirst)
+{
+  const Mesh mesh = Box(5, 3, 2); // faces of 6 (at x), 10 (at y) and 15 (at z), stored so
+  const std::vector<Index> ids = Ids(mesh);
+  const std::vector<Vec3> normals = UnitNormals(mesh, 1.0);
+  const std::array<std::array<Index, 2>, 3> expected = { { { 4, 5 }, { 2, 3 }, { 0, 1 } } };
+  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  {
+    int axis = 0;
+    normals[t].cwiseAbs().maxCoeff(&axis);
+    // Of two equal faces the one with the lower triangle has the lower number: the near one here.
+    EXPECT_EQ(ids[t], expected[axis][normals[t][axis] > 0.0 ? 1 : 0]);
+  }
+}
+
+TEST(Surfaces, AreBoundedByFeaturesOfTheGivenAngleOnly)
+{
+  const Mesh mesh = Fold(3, 5, 40.0);
+  const auto faces = [&](double angle)
+  {
+    const std::vector<Index> ids = Ids(mesh, angle);
+    return 1 + *std::max_element(ids.begin(), ids.end());
+  };
+  EXPECT_EQ(faces(30.0), 2);
+  EXPECT_EQ(faces(50.0), 1);
+}
+
+TEST(Surfaces, AFeatureThatEndsDividesNothing)
+{
+  // A fold that runs out into a plane half way: one can walk round its end.
+  Mesh mesh = Fold(4, 12, 60.0);
+  const std::vector<Vec3> flat = Fold(4, 12, 0.0).Points;
+  for (Index v = 0; v < mesh.VertexCount(); ++v)
+  {
+    const double share = std::min(1.0, mesh.Points[v].y() / 8.0);
+    mesh.Points[v] += share * (flat[v] - mesh.Points[v]);
+  }
+  ASSERT_FALSE(FindFeatureEdges(mesh, Connectivity(mesh), 30.0, Monitor()).empty());
+  EXPECT_EQ(Ids(mesh), std::vector<Index>(mesh.Triangles.size(), 0));
+}
+
+TEST(Surfaces, PartsThatDoNotTouchAreDifferentOnes)
+{
+  Mesh mesh = FlatGrid(2, 2);
+  const std::size_t first = mesh.Triangles.size();
+  Append(mesh, FlatGrid(3, 3));
+  const std::vector<Index> ids = Ids(mesh);
+  EXPECT_EQ(ids.front(), 1) << "the smaller one";
+  EXPECT_EQ(ids[first], 0);
+}

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FilterTesting.h"
+
+using namespace arris::testing;
+
+// Whatever is wrong is said once, in words, and gives empty output.
+
+namespace
+{
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+void ExpectOneError(vtkPolyDataAlgorithm* filter, vtkPolyData* input, const std::string& about)
+{
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(filter);
+  filter->SetInputData(input);
+  filter->Update();
+  EXPECT_EQ(errors->Count, 1) << about;
+  EXPECT_NE(errors->Text.find(about), std::string::npos) << errors->Text;
+  ExpectEmptyOutputs(filter);
+}
+
+void AddCell(vtkCellArray* cells, const std::vector<vtkIdType>& ids)
+{
+  cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+}
+}
+
+class Errors : public EachFilter
+{
+protected:
+  const vtkSmartPointer<vtkPolyData> Input = Copy(ReadyMesh(16));
+};
+
+TEST_P(Errors, PointsThatAreNotFinite)
+{
+  for (const double bad : { NotANumber, Infinite, -Infinite })
+  {
+    const auto input = Copy(this->Input);
+    input->GetPoints()->SetPoint(17, 0.0, bad, 0.0);
+    ExpectOneError(GetParam().New(), input, "point 17");
+  }
+}
+
+TEST_P(Errors, CellsThatNameAMissingPoint)
+{
+  for (const vtkIdType bad : { vtkIdType(-1), this->Input->GetNumberOfPoints() })
+  {
+    const auto input = Copy(this->Input);
+    AddCell(input->GetPolys(), { 0, 1, bad });
+    ExpectOneError(GetParam().New(), input, "names point " + std::to_string(bad));
+  }
+}
+
+TEST_P(Errors, StripsThatNameAMissingPoint)
+{
+  vtkNew<vtkCellArray> strips;
+  AddCell(strips, { 0, 1, 2, 1000000 });
+  this->Input->SetStrips(strips);
+  ExpectOneError(this->Filter, this->Input, "triangle strip");
+}
+
+TEST_P(Errors, PolygonsOfTwoPoints)
+{
+  AddCell(this->Input->GetPolys(), { 0, 1 });
+  ExpectOneError(this->Filter, this->Input, "has 2 points");
+}
+
+TEST_P(Errors, StripsOfTwoPoints)
+{
+  vtkNew<vtkCellArray> strips;
+  AddCell(strips, { 0, 1 });
+  this->Input->SetStrips(strips);
+  ExpectOneError(this->Filter, this->Input, "has 2 points");
+}
+
+TEST_P(Errors, PolygonsThatCannotBeCut)
+{
+  const vtkIdType first = this->Input->GetNumberOfPoints();
+  const auto input = Copy(this->Input);
+  for (int i = 0; i < 6; ++i) // six points in one place are no hexagon
+  {
+    input->GetPoints()->InsertNextPoint(2.0, 2.0, 2.0);
+  }
+  input->GetPointData()->Initialize();
+  AddQuietArrays(input);
+  AddCell(input->GetPolys(), { first, first + 1, first + 2, first + 3, first + 4, first + 5 });
+  ExpectOneError(this->Filter, input, "cannot be cut into triangles");
+}
+
+TEST_P(Errors, ARepairedInputWorksAgain)
+{
+  const auto bad = Copy(this->Input);
+  bad->GetPoints()->SetPoint(17, NotANumber, 0.0, 0.0);
+  ExpectOneError(this->Filter, bad, "point 17");
+  const auto repaired = Execute(this->Filter, this->Input);
+  ExpectIdentical(repaired, Execute(GetParam().New(), this->Input));
+  EXPECT_GT(this->MeshOutput()->GetNumberOfPoints(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, Errors, AllFilters(), FilterName);
+
+namespace
+{
+/// The parameters that USSOD and reconstruction share.
+template <typename Filter>
+void ExpectWindowErrors()
+{
+  const auto input = ReadyMesh(16);
+  const auto expect = [&](void (*set)(Filter*, double), double value, const char* about)
+  {
+    vtkNew<Filter> filter;
+    set(filter, value);
+    ExpectOneError(filter, input, about);
+  };
+  for (const double bad : { -1.0, NotANumber, Infinite })
+  {
+    expect([](Filter* filter, double value) { filter->SetWindow(value); }, bad, "Window");
+  }
+  for (const double bad : { 0.0, -1.0, NotANumber, Infinite })
+  {
+    expect([](Filter* filter, double value) { filter->SetWindowRatio(value); }, bad, "WindowRatio");
+  }
+}
+
+template <typename Filter>
+void ExpectClassificationErrors()
+{
+  ExpectWindowErrors<Filter>();
+  const auto input = ReadyMesh(16);
+  for (const double bad : { 0.0, -5.0, 180.5, NotANumber, Infinite })
+  {
+    vtkNew<Filter> filter;
+    filter->SetSharpAngle(bad);
+    ExpectOneError(filter, input, "SharpAngle");
+  }
+  for (const int bad : { -1, 2 })
+  {
+    vtkNew<Filter> filter;
+    filter->SetWindowSearch(bad);
+    ExpectOneError(filter, input, "WindowSearch");
+  }
+}
+}
+
+TEST(ErrorsOfParameters, OfUSSOD)
+{
+  ExpectClassificationErrors<vtkUSSODFilter>();
+}
+
+TEST(ErrorsOfParameters, OfReconstruction)
+{
+  ExpectClassificationErrors<vtkSharpEdgeReconstruction>();
+}
+
+TEST(ErrorsOfParameters, OfSharpening)
+{
+  ExpectWindowErrors<vtkSharpeningFilter>();
+}
+
+TEST(ErrorsOfParameters, OfTheMethod)
+{
+  for (const int bad : { -1, 2 })
+  {
+    vtkNew<vtkSharpEdgeReconstruction> filter;
+    filter->SetMethod(bad);
+    ExpectOneError(filter, ReadyMesh(16), "Method");
+  }
+}
+
+TEST(ErrorsOfParameters, OfTheExtractor)
+{
+  for (const double bad : { 0.0, -5.0, 180.5, NotANumber })
+  {
+    vtkNew<vtkSharpEdgeExtractor> feature;
+    feature->SetFeatureAngle(bad);
+    ExpectOneError(feature, ReadyMesh(16), "FeatureAngle");
+    vtkNew<vtkSharpEdgeExtractor> corner;
+    corner->SetCornerAngle(bad);
+    ExpectOneError(corner, ReadyMesh(16), "CornerAngle");
+  }
+}
+
+TEST(ErrorsOfParameters, AnUnusedRatioIsNotLookedAt)
+{
+  vtkNew<vtkUSSODFilter> filter;
+  filter->SetWindow(0.1);
+  filter->SetWindowRatio(-1.0);
+  EXPECT_GT(Execute(filter, ReadyMesh(16))->GetNumberOfPoints(), 0);
+}
+
+TEST(ErrorsOfArrays, MissingOnes)
+{
+  const auto input = Contour(BracketSolid(), 16);
+  vtkNew<vtkSharpThinningFilter> thinning;
+  ExpectOneError(thinning, input, "SharpRegion");
+  vtkNew<vtkSharpeningFilter> sharpening;
+  ExpectOneError(sharpening, input, "ThinningRound");
+}
+
+TEST(ErrorsOfArrays, OfTheWrongSize)
+{
+  for (const char* name : { "SharpRegion", "USSOD" })
+  {
+    const auto input = ReadyMesh(16);
+    AddArray<vtkDoubleArray>(
+      input->GetPointData(), input->GetNumberOfPoints() - 1, name, [](vtkIdType) { return 1.0; });
+    vtkNew<vtkSharpThinningFilter> filter;
+    ExpectOneError(filter, input, name);
+  }
+  const auto input = ReadyMesh(16);
+  AddArray<vtkIntArray>(input->GetPointData(), input->GetNumberOfPoints() + 1, "ThinningRound",
+    [](vtkIdType) { return -1; });
+  vtkNew<vtkSharpeningFilter> filter;
+  ExpectOneError(filter, input, "ThinningRound");
+}
+
+TEST(ErrorsOfArrays, OfTheWrongNumberOfComponents)
+{
+  const auto input = ReadyMesh(16);
+  vtkNew<vtkDoubleArray> pairs;
+  pairs->SetName("SharpRegion");
+  pairs->SetNumberOfComponents(2);
+  pairs->SetNumberOfTuples(input->GetNumberOfPoints());
+  pairs->Fill(0.0);
+  input->GetPointData()->AddArray(pairs);
+  vtkNew<vtkSharpThinningFilter> filter;
+  ExpectOneError(filter, input, "SharpRegion");
+}
+
+TEST(ErrorsOfArrays, ValuesThatAreNotFinite)
+{
+  for (const char* name : { "SharpRegion", "USSOD" })
+  {
+    const auto input = ReadyMesh(16);
+    AddArray<vtkDoubleArray>(input->GetPointData(), input->GetNumberOfPoints(), name,
+      [](vtkIdType v) { return v == 5 ? NotANumber : 1.0; });
+    vtkNew<vtkSharpThinningFilter> filter;
+    ExpectOneError(filter, input, "point 5");
+  }
+}
+
+TEST(ErrorsOfArrays, ThinningRoundsThatAreNone)
+{
+  const vtkIdType points = ReadyMesh(16)->GetNumberOfPoints();
+  for (const double bad : { 0.0, -2.0, 1.5, NotANumber, 1e18, static_cast<double>(points) + 2.0 })
+  {
+    const auto input = ReadyMesh(16);
+    AddArray<vtkDoubleArray>(input->GetPointData(), points, "ThinningRound",
+      [&](vtkIdType v) { return v == 5 ? bad : -1.0; });
+    vtkNew<vtkSharpeningFilter> filter;
+    ExpectOneError(filter, input, "point 5");
+  }
+}

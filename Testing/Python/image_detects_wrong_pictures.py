@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: Copyright (c) The Arris developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""The image tests would notice a wrong picture: here are some, and each must be told from its
+baseline."""
+
+import sys
+
+import scenes
+from pictures import difference
+
+wrong = [
+    ("bracket.png", scenes.bracket(recover=False), "the mesh as sampling left it"),
+    ("roles.png", scenes.roles(array="SharpRegion"), "the region instead of its skeleton"),
+    ("curves.png", scenes.curves(feature_angle=120.0), "without most of its curves"),
+]
+passed = True
+for baseline, window, what in wrong:
+    same, off = difference(window, baseline)
+    print(f"{baseline}, {what}: {off:.2f} off, {'NOT NOTICED' if same else 'noticed'}")
+    passed = passed and not same
+
+# And the right one is not, with the same means.
+same, off = difference(scenes.bracket(), "bracket.png")
+print(f"bracket.png, as it should be: {off:.2f} off, {'accepted' if same else 'REFUSED'}")
+sys.exit(0 if passed and same else 1)

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Copyright (c) The Arris developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Each filter as in a user's script: ports, properties, results."""
+
+import unittest
+
+import meshes
+from arris import (
+    vtkSharpEdgeExtractor,
+    vtkSharpEdgeReconstruction,
+    vtkSharpeningFilter,
+    vtkSharpThinningFilter,
+    vtkUSSODFilter,
+)
+
+PAPERS_ANGLE = 41.4096221092709  # acos(0.75) in degrees
+
+
+class Ports(unittest.TestCase):
+    def test_numbers(self):
+        outputs = {
+            vtkUSSODFilter: 1,
+            vtkSharpThinningFilter: 2,
+            vtkSharpeningFilter: 1,
+            vtkSharpEdgeExtractor: 3,
+            vtkSharpEdgeReconstruction: 1,
+        }
+        for kind, count in outputs.items():
+            with self.subTest(kind.__name__):
+                self.assertEqual(kind().GetNumberOfInputPorts(), 1)
+                self.assertEqual(kind().GetNumberOfOutputPorts(), count)
+
+    def test_names(self):
+        extractor = vtkSharpEdgeExtractor()
+        extractor.SetInputData(meshes.box(16))
+        extractor.Update()
+        self.assertIs(extractor.GetCorners(), extractor.GetOutput(1))
+        self.assertIs(extractor.GetSurfaces(), extractor.GetOutput(2))
+        thinning = vtkSharpThinningFilter()
+        self.assertIs(thinning.GetSkeleton(), thinning.GetOutput(1))
+
+
+class Properties(unittest.TestCase):
+    def check(self, make, name, default, other):
+        with self.subTest(f"{make.__name__}.{name}"):
+            filter_ = make()
+            get, set_ = getattr(filter_, "Get" + name), getattr(filter_, "Set" + name)
+            self.assertAlmostEqual(get(), default, places=12)
+            before = filter_.GetMTime()
+            set_(other)
+            self.assertEqual(get(), other)
+            self.assertGreater(filter_.GetMTime(), before)
+
+    def test_round_trip(self):
+        for make in (vtkUSSODFilter, vtkSharpeningFilter, vtkSharpEdgeReconstruction):
+            self.check(make, "Window", 0.0, 0.125)
+            self.check(make, "WindowRatio", 0.75, 1.5)
+        for make in (vtkUSSODFilter, vtkSharpEdgeReconstruction):
+            self.check(make, "SharpAngle", PAPERS_ANGLE, 30.0)
+            self.check(make, "WindowSearch", make.CONNECTED, make.SPATIAL)
+        self.check(
+            vtkSharpEdgeReconstruction,
+            "Method",
+            vtkSharpEdgeReconstruction.ROBUST,
+            vtkSharpEdgeReconstruction.PAPER,
+        )
+        self.check(vtkSharpEdgeExtractor, "FeatureAngle", 30.0, 20.0)
+        self.check(vtkSharpEdgeExtractor, "CornerAngle", 60.0, 90.0)
+
+    def test_setters_of_named_values(self):
+        for make in (vtkUSSODFilter, vtkSharpEdgeReconstruction):
+            filter_ = make()
+            filter_.SetWindowSearchToSpatial()
+            self.assertEqual(filter_.GetWindowSearch(), make.SPATIAL)
+            filter_.SetWindowSearchToConnected()
+            self.assertEqual(filter_.GetWindowSearch(), make.CONNECTED)
+        recover = vtkSharpEdgeReconstruction()
+        recover.SetMethodToPaper()
+        self.assertEqual(recover.GetMethod(), recover.PAPER)
+        recover.SetMethodToRobust()
+        self.assertEqual(recover.GetMethod(), recover.ROBUST)
+
+    def test_kappa_is_that_of_the_last_update(self):
+        classify = vtkUSSODFilter()
+        self.assertEqual(classify.GetKappa(), 0.0)
+        classify.SetInputData(meshes.box(16))
+        classify.SetWindow(0.5)
+        classify.Update()
+        self.assertAlmostEqual(classify.GetKappa(), 0.25 / 0.5, places=12)
+        self.assertFalse(hasattr(classify, "SetKappa"))
+
+
+class Chain(unittest.TestCase):
+    def test_of_stages_gives_what_the_whole_gives(self):
+        mesh = meshes.bracket(32)
+        classify, thin, sharpen = vtkUSSODFilter(), vtkSharpThinningFilter(), vtkSharpeningFilter()
+        classify.SetInputData(mesh)
+        thin.SetInputConnection(classify.GetOutputPort())
+        sharpen.SetInputConnection(thin.GetOutputPort())
+        sharpen.Update()
+        whole = vtkSharpEdgeReconstruction()
+        whole.SetMethodToPaper()
+        whole.SetInputData(mesh)
+        whole.Update()
+        self.assertTrue(
+            (meshes.points(sharpen.GetOutput()) == meshes.points(whole.GetOutput())).all()
+        )
+        self.assertFalse((meshes.points(whole.GetOutput()) == meshes.points(mesh)).all())
+
+    def test_ends_in_curves_corners_and_faces(self):
+        recover = vtkSharpEdgeReconstruction()
+        recover.SetInputData(meshes.box(32))
+        extract = vtkSharpEdgeExtractor()
+        extract.SetInputConnection(recover.GetOutputPort())
+        extract.Update()
+        self.assertGreaterEqual(extract.GetOutput().GetNumberOfLines(), 12)
+        self.assertGreaterEqual(extract.GetCorners().GetNumberOfVerts(), 8)
+        ids = extract.GetSurfaces().GetCellData().GetArray("SurfaceId")
+        self.assertGreaterEqual(ids.GetRange()[1], 5)
+
+
+if __name__ == "__main__":
+    unittest.main()
