@@ -1,6 +1,6 @@
 # Builds the module, and its Python package `arris`.
 
-set(arris_python_package arris)
+set(arris_cmake_directory "${CMAKE_INSTALL_LIBDIR}/cmake/arris")
 
 vtk_module_scan(
   MODULE_FILES        "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
@@ -21,42 +21,30 @@ function (arris_build_module)
     INSTALL_EXPORT      Arris
     INSTALL_HEADERS     ON
     HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/arris"
-    CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/arris"
+    CMAKE_DESTINATION   "${arris_cmake_directory}"
     ARCHIVE_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
     LIBRARY_NAME_SUFFIX ""
     VERSION             "${PROJECT_VERSION}"
-    SOVERSION           "${PROJECT_VERSION_MAJOR}"
+    SOVERSION           "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
     BUILD_WITH_KITS     OFF)
 endfunction ()
 arris_build_module()
 
 if (ARRIS_BUILD_PYTHON)
-  # The interpreter that VTK itself was wrapped for: Debian's, not one earlier on the PATH.
-  if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
-    set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that VTK was built for")
-  endif ()
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
-  set(arris_python_directory "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
-  set(arris_python_rpath "$ORIGIN/../../..")
-
-  function (arris_wrap_python)
-    set(CMAKE_INSTALL_RPATH "${arris_python_rpath}") # VTK leaves it empty
-    vtk_module_wrap_python(
-      MODULES             ${arris_modules}
-      TARGET              Arris::Python
-      PYTHON_PACKAGE      "${arris_python_package}"
-      MODULE_DESTINATION  "${arris_python_directory}"
-      LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-      BUILD_STATIC        OFF
-      INSTALL_HEADERS     OFF) # they hold a Python.h that would shadow CPython's
-  endfunction ()
-  arris_wrap_python()
+  vtk_module_wrap_python(
+    MODULES             ${arris_modules}
+    TARGET              Arris::Python
+    PYTHON_PACKAGE      arris
+    MODULE_DESTINATION  "${ARRIS_PYTHON_DIRECTORY}"
+    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}" # from it the run-time path follows
+    BUILD_STATIC        OFF
+    INSTALL_HEADERS     OFF) # they hold a Python.h that would shadow CPython's
 
   set(arris_init "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Python/__init__.py")
-  configure_file("${arris_init}"
-    "${CMAKE_BINARY_DIR}/${arris_python_directory}/${arris_python_package}/__init__.py" COPYONLY)
-  install(FILES "${arris_init}"
-    DESTINATION "${arris_python_directory}/${arris_python_package}")
+  configure_file("${arris_init}" "${CMAKE_BINARY_DIR}/${ARRIS_PYTHON_DIRECTORY}/arris/__init__.py"
+    COPYONLY)
+  install(FILES "${arris_init}" DESTINATION "${ARRIS_PYTHON_DIRECTORY}/arris")
 endif ()
