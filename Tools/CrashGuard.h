@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file CrashGuard.h
-/// A file that crashes its reader ends the program as any other file that cannot be read.
+/// A crash in a library ends the program as any other failure does.
 
 #ifndef arris_CrashGuard_h
 #define arris_CrashGuard_h
@@ -12,10 +12,11 @@
 
 namespace arris
 {
-/// VTK's readers trust their files, and some damaged ones make them write where they should not.
-/// While this lives, a crash ends the program with this one line and exit status 1, and the
-/// standard error is closed to the C libraries that readers use. Nothing is lost by ending so:
-/// files are written when all has been read.
+/// VTK's readers trust their files, and some damaged ones make them write where they should not;
+/// and VTK ends the process when its X display is lost. While this lives, a crash ends the program
+/// with one line and exit status 1, and the standard error is closed to the C libraries below VTK.
+/// Nothing is lost by ending so: other files are written after all has been read, and before the
+/// first picture is drawn.
 class CrashGuard
 {
 public:

@@ -4,6 +4,7 @@
 #include "Session.h"
 
 #include "AtomicFile.h"
+#include "CrashGuard.h"
 #include "Display.h"
 #include "Failure.h"
 #include "Validators.h"
@@ -76,6 +77,7 @@ void Session::Say(const std::string& line) const
   if (!this->Options.Quiet && this->Options.JsonFile != StandardOutput)
   {
     std::fputs((line + "\n").c_str(), stdout);
+    std::fflush(stdout);
   }
 }
 
@@ -115,6 +117,9 @@ void Session::Draw(const std::string& file, const std::function<void()>& draw)
     throw Failure(file, "cannot be drawn: there is no X display that VTK can draw on",
       "everything else is done; for pictures run it on a desktop or after `xvfb-run -a`");
   }
+  const Failure failed(
+    file, "cannot be drawn: the X display has failed", "everything else is done; try again");
+  const CrashGuard guard(std::string("arris: ") + failed.what() + "\n");
   draw();
 }
 }

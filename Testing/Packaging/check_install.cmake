@@ -29,8 +29,8 @@ file(GLOB_RECURSE texts "${PREFIX}/*.cmake" "${PREFIX}/*.txt" "${PREFIX}/*.h" "$
 foreach (text IN LISTS texts)
   file(READ "${text}" content)
   foreach (folder IN ITEMS "${SOURCE}" "${BUILD}" "${PREFIX}")
-    string(FIND "${content}" "${folder}/" at)
-    if (NOT at EQUAL -1)
+    string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" pattern "${folder}")
+    if (content MATCHES "(^|[^A-Za-z0-9_.})>-])${pattern}/") # as an absolute path
       message(SEND_ERROR "${text} names ${folder}")
     endif ()
   endforeach ()
