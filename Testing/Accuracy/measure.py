@@ -9,36 +9,22 @@
 
 import sys
 
-import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
-
 from arris import vtkSharpEdgeReconstruction
+from part import Bracket
+from sampling import sampled_solid, zero_contour
 from score import score
 from solids import SOLIDS
 
-WIDTH = 2.0  # of the sampled cube; the solids are about 1.5 wide
 
-
-def contour(solid, samples):
-    """The zero contour of the solid's distance on samples^3 points, and the width of a cell."""
-    cell = WIDTH / (samples - 1)
-    axis = np.linspace(-WIDTH / 2, WIDTH / 2, samples)
-    z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
-    values = -solid.distance(np.column_stack([x.ravel(), y.ravel(), z.ravel()]))
-    image = vtkImageData()
-    image.SetDimensions(samples, samples, samples)
-    image.SetSpacing(cell, cell, cell)
-    image.SetOrigin(-WIDTH / 2, -WIDTH / 2, -WIDTH / 2)
-    image.GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
-    edges = vtkFlyingEdges3D()
-    edges.SetInputData(image)
-    edges.SetValue(0, 0.0)
-    edges.ComputeNormalsOff()
-    edges.ComputeScalarsOff()
-    edges.Update()
-    return edges.GetOutput(), cell
+def cases(samples):
+    """Name, truth, contour and cell width of everything measured at about samples^3."""
+    for name, solid in SOLIDS.items():
+        volume, cell = sampled_solid(solid, samples)
+        yield name, solid, zero_contour(volume), cell
+    if samples in (64, 128):
+        stride = 128 // samples
+        bracket = Bracket(stride)
+        yield "Data/ bracket", bracket, zero_contour(bracket.volume), float(stride)
 
 
 def recovered(mesh, method):
@@ -56,8 +42,7 @@ def main():
           "after (cells) | nearer by | intact moved |")
     print("|---|---|---|---|---|---|---|---|---|")
     for samples in [int(argument) for argument in sys.argv[1:]] or [64]:
-        for name, solid in SOLIDS.items():
-            mesh, cell = contour(solid, samples)
+        for name, solid, mesh, cell in cases(samples):
             for method, number in methods.items():
                 s = score(solid, mesh, recovered(mesh, number), cell)
                 ratio = s["distance before"] / s["distance after"]
