@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 
 #include "Failure.h"
+#include "InputFile.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -194,8 +195,13 @@ void WriteAtomically(
 {
   // Not all of VTK's writers notice that a disk is full. So they write to memory, and the bytes go
   // from there to the disk with every step checked.
-  const Scratch scratch(fs::path(path).extension().string());
+  const Scratch scratch(Extension(path));
   write(scratch.Name);
+  struct stat written;
+  if (fstat(scratch.Memory, &written) != 0 || written.st_size == 0)
+  {
+    throw Failure(path, "cannot be written: its writer gave nothing", "try another format");
+  }
 
   const std::string target = TargetOf(path);
   Remover partial{ target + ".XXXXXX" };

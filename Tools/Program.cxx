@@ -66,7 +66,7 @@ int RunCommand(const std::vector<Command>& commands)
       command.Run();
     }
   }
-  if (std::fflush(stdout) != 0)
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) // lines flushed earlier count too
   {
     throw Failure("standard output", "cannot be written", "send it to another place");
   }

@@ -84,10 +84,16 @@ class ProgramTest(unittest.TestCase):
     maxDiff = None
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="arris-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        whole = tempfile.TemporaryDirectory(prefix="arris-test-")
+        self.addCleanup(whole.cleanup)
+        self.folder = Path(whole.name) / "work"
+        self.scratch = Path(whole.name) / "scratch"  # for the program's own temporary files
+        self.folder.mkdir()
+        self.scratch.mkdir()
         self.write("box.vtp", meshes.box(20))
+
+    def tearDown(self):
+        self.assertEqual(os.listdir(self.scratch), [], "temporary files were left over")
 
     def write(self, name, data):
         """Writes text, bytes, a mesh or a volume."""
@@ -121,6 +127,7 @@ class ProgramTest(unittest.TestCase):
     def run_program(self, *arguments, **options):
         """Without a display, whatever the test runs on."""
         environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
+        environment["TMPDIR"] = str(self.scratch)
         environment.update(options.pop("environment", {}))
         options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
         return subprocess.run(

@@ -86,7 +86,8 @@ class Failures(ProgramTest):
             self.assert_sharpen_fails("junk" + suffix, text)
 
     def test_files_that_are_no_volumes(self):
-        for suffix, text in ((".vti", READ), (".mha", READ), (".nrrd", READ), (".vtk", "{}: is not")):
+        for suffix in (".vti", ".mha", ".nrrd", ".vtk"):
+            text = "{}: is not" if suffix == ".vtk" else READ
             self.write("junk" + suffix, "To be, or not to be, that is the question.\n" * 9)
             self.assert_contour_fails("junk" + suffix, text)
 
@@ -139,7 +140,8 @@ class Failures(ProgramTest):
     def test_no_space_left(self):
         # In a mount namespace of its own: a disk of 16 kB, with a file on it already.
         script = (
-            'mkdir full && mount -t tmpfs -o size=16k none full && echo old > full/old.vtp || exit 9\n'
+            "mkdir full && mount -t tmpfs -o size=16k none full || exit 9\n"
+            "echo old > full/old.vtp\n"
             '"$0" sharpen box.vtp -q -o full/new.vtp; echo $?\n'
             '"$0" sharpen box.vtp -q -o full/old.vtp; echo $?\n'
             "cat full/*; ls -A full"

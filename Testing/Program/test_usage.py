@@ -9,6 +9,7 @@ from program import ProgramTest
 
 COMMANDS = ("sharpen", "classify", "edges", "regions", "contour", "compare", "demo")
 SHARPEN = "sharpen box.vtp -o out.vtp "
+CLASSIFY = "classify box.vtp -o out.vtp "
 WRONG = {
     "": "a command is missing",
     "foo": "there is no command foo",
@@ -23,8 +24,8 @@ WRONG = {
     SHARPEN + "--method paper --window 1 --window-ratio 1": "--window excludes --window-ratio",
     SHARPEN + "--method paper --window -1": "--window: must be a number greater than 0, not -1",
     SHARPEN + "--method paper --window inf": "--window: must be a number greater than 0, not inf",
-    "classify box.vtp -o out.vtp --window-ratio 0": "--window-ratio: must be a number greater than 0, not 0",
-    "classify box.vtp -o out.vtp --window-search far": "--window-search: must be connected or spatial",
+    CLASSIFY + "--window-ratio 0": "--window-ratio: must be a number greater than 0, not 0",
+    CLASSIFY + "--window-search far": "--window-search: must be connected or spatial",
     "contour box.vtp -o out.vtp": "--value is required",
     "contour box.vtp -o out.vtp --value abc": "--value: must be a finite number, not abc",
     "contour box.vtp -o out.vtp --value nan": "--value: must be a finite number, not nan",
