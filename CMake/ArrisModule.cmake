@@ -23,6 +23,7 @@ set(sources
   Filters/Core/SpatialWindow.cxx
   Filters/Core/Surfaces.cxx
   Filters/Core/Thinning.cxx
+  Filters/Core/TriangleCrossing.cxx
   Filters/Core/Ussod.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/Labels.cxx

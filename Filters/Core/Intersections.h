@@ -28,10 +28,8 @@ namespace arris
 ///    that goes through another one exactly along its own edges;
 ///  - triangles without area count in no pair.
 /// Vertices are shared by index, but coincident ones are no trouble: they touch.
-///
-/// The triangles tell all about who shares what, so `connectivity` is not read at present.
 ARRISFILTERS_EXPORT std::vector<std::array<Index, 2>> FindIntersections(
-  const Mesh& mesh, const Connectivity& connectivity, const std::vector<Index>& triangles);
+  const Mesh& mesh, const std::vector<Index>& triangles);
 }
 
 #endif

@@ -166,7 +166,7 @@ private:
       }
     }
     std::vector<Index> cutting;
-    for (const auto& pair : FindIntersections(moved, this->TheConnectivity, candidates))
+    for (const auto& pair : FindIntersections(moved, candidates))
     {
       for (Index t : pair)
       {

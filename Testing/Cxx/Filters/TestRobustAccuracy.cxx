@@ -5,10 +5,10 @@
 
 using namespace arris::testing;
 
-// A guard of what the robust method, the default, reaches on contours at 64^3, each solid turned off
-// the grid. It reaches 100, 100 and 99 % of the sharp edges; 97 % leaves room for a compiler that
-// rounds otherwise, not for a step that has stopped working. Planes come back exactly (hundreds of
-// times nearer), a cylinder to the facets that its triangles are (2.4 times).
+// A guard of what the robust method, the default, reaches on contours at 64^3, each solid turned
+// off the grid. It reaches 100, 100 and 99 % of the sharp edges; 97 % leaves room for a compiler
+// that rounds otherwise, not for a step that has stopped working. Planes come back exactly
+// (hundreds of times nearer), a cylinder to the facets that its triangles are (2.4 times).
 
 namespace
 {
