@@ -27,7 +27,9 @@ set(sources
   Filters/Core/Ussod.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/Labels.cxx
+  Filters/Core/Robust/Labelling.cxx
   Filters/Core/Robust/LocalSolid.cxx
+  Filters/Core/Robust/MeetingEdges.cxx
   Filters/Core/Robust/MeetSheets.cxx
   Filters/Core/Robust/Patches.cxx
   Filters/Core/Robust/Placement.cxx
@@ -39,6 +41,7 @@ set(sources
   Filters/Core/Robust/Sides.cxx
   Filters/Core/Robust/ThinFaces.cxx
   Filters/Core/Robust/Turn.cxx
+  Filters/Core/Robust/Unexplained.cxx
   Filters/Core/Robust/Untangle.cxx
   Filters/Support/Arrays.cxx
   Filters/Support/PaperMethod.cxx

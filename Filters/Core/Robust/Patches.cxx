@@ -17,6 +17,9 @@ namespace
 /// harmless: sheets are fitted across patches of like normal.
 constexpr double PatchSpread = 20.0;
 
+/// The same on narrow faces, where the normals of vertices are spoilt by the edges beside.
+constexpr double NarrowSpread = 50.0;
+
 constexpr std::size_t SmallestPiece = 3;
 
 /// Floods from `seed` over vertices that `accepts`; `id` marks them.
@@ -38,6 +41,25 @@ std::vector<Index> Flood(const Connectivity& connectivity, Index seed, Index id,
     }
   }
   return group;
+}
+
+/// Floods patches over what is intact and in none yet, from the flattest seeds on.
+void FloodPatches(const Connectivity& connectivity, const Faces& faces,
+  const std::vector<double>& flatness, const Flags& region, double spread, std::vector<Index> seeds,
+  Patches& patches)
+{
+  std::stable_sort(
+    seeds.begin(), seeds.end(), [&](Index a, Index b) { return flatness[a] < flatness[b]; });
+  const double leastCosine = std::cos(spread * Pi / 180.0);
+  for (Index seed : seeds)
+  {
+    if (patches.PatchOf[seed] == NoIndex)
+    {
+      const Vec3& normal = faces.VertexNormals[seed];
+      Flood(connectivity, seed, patches.PatchCount++, patches.PatchOf,
+        [&](Index n) { return !region[n] && faces.VertexNormals[n].dot(normal) >= leastCosine; });
+    }
+  }
 }
 }
 
@@ -67,28 +89,32 @@ Patches SortIntoPatches(const Mesh& mesh, const Connectivity& connectivity, cons
     ++pieces;
   }
 
-  std::vector<Index> order;
+  patches.PieceCount = pieces;
+  patches.PatchOf.assign(mesh.Points.size(), NoIndex);
+  std::vector<Index> intact;
   for (Index v = 0; v < mesh.VertexCount(); ++v)
   {
     if (!region[v])
     {
-      order.push_back(v);
+      intact.push_back(v);
     }
   }
-  std::stable_sort(
-    order.begin(), order.end(), [&](Index a, Index b) { return flatness[a] < flatness[b]; });
-  patches.PatchOf.assign(mesh.Points.size(), NoIndex);
-  const double leastCosine = std::cos(PatchSpread * Pi / 180.0);
-  Index count = 0;
-  for (Index seed : order)
-  {
-    if (patches.PatchOf[seed] == NoIndex)
-    {
-      const Vec3& normal = faces.VertexNormals[seed];
-      Flood(connectivity, seed, count++, patches.PatchOf,
-        [&](Index n) { return !region[n] && faces.VertexNormals[n].dot(normal) >= leastCosine; });
-    }
-  }
+  FloodPatches(connectivity, faces, flatness, region, PatchSpread, intact, patches);
   return patches;
+}
+
+void AddNarrowPatches(const Connectivity& connectivity, const Faces& faces,
+  const std::vector<double>& flatness, const Flags& region, const std::vector<Index>& released,
+  Patches& patches)
+{
+  for (Index v : released)
+  {
+    if (patches.PieceOf[v] == NoIndex)
+    {
+      Flood(connectivity, v, patches.PieceCount++, patches.PieceOf,
+        [&](Index n) { return !region[n]; });
+    }
+  }
+  FloodPatches(connectivity, faces, flatness, region, NarrowSpread, released, patches);
 }
 }

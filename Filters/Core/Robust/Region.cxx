@@ -54,9 +54,7 @@ public:
     for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
     {
       const Turn& turn = this->Turns[v];
-      const bool edge = turn.Across >= LeastAcross && turn.Jump >= SeedJump &&
-        turn.Concentrated >= SeedConcentration * turn.Jump;
-      this->Seeds[v] = edge || turn.Deviation >= CornerDeviation ? 1 : 0;
+      this->Seeds[v] = ShowsEdge(turn) || turn.Deviation >= CornerDeviation ? 1 : 0;
     }
     this->DropSmallGroups();
     this->FindBlendDegrees();
@@ -272,6 +270,12 @@ private:
   Flags Seeds;
   std::vector<double> Blend;
 };
+}
+
+bool ShowsEdge(const Turn& turn)
+{
+  return turn.Across >= LeastAcross && turn.Jump >= SeedJump &&
+    turn.Concentrated >= SeedConcentration * turn.Jump;
 }
 
 Flags FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,

@@ -14,6 +14,9 @@ namespace arris
 /// 1 for the vertices that sampling has taken off the surface beside a sharp edge or corner.
 Flags FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<Turn>& turns, const std::vector<double>& scales);
+
+/// Whether the turn is that of an edge: sharp enough, and more concentrated than a curved side's.
+bool ShowsEdge(const Turn& turn);
 }
 
 #endif

@@ -182,28 +182,6 @@ private:
 };
 }
 
-const Sheet* Labelling::SheetAt(const Connectivity& connectivity, Index vertex, Index label) const
-{
-  if (this->SidesOf[vertex] != NoIndex)
-  {
-    if (const Side* side = FindSide(this->Sides[this->SidesOf[vertex]], label))
-    {
-      return &side->Surface;
-    }
-  }
-  for (Index n : connectivity.NeighborsOfVertex[vertex])
-  {
-    if (this->SidesOf[n] != NoIndex)
-    {
-      if (const Side* side = FindSide(this->Sides[this->SidesOf[n]], label))
-      {
-        return &side->Surface;
-      }
-    }
-  }
-  return nullptr;
-}
-
 Ridge FindRidge(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
   const Labelling& labelling)
 {

@@ -7,21 +7,10 @@
 #ifndef arris_Robust_Ridge_h
 #define arris_Robust_Ridge_h
 
-#include "Labels.h"
+#include "Labelling.h"
 
 namespace arris
 {
-/// All that has been found out about the damaged vertices.
-struct Labelling
-{
-  std::vector<Index> Labels; ///< for each vertex its patch
-  std::vector<std::vector<Side>> Sides; ///< of the vertices of the region, in their order
-  std::vector<Index> SidesOf; ///< for each vertex where in Sides; NoIndex if intact
-
-  /// The sheet of a label as a vertex sees it, or one of its neighbours does; null if none.
-  const Sheet* SheetAt(const Connectivity& connectivity, Index vertex, Index label) const;
-};
-
 struct Ridge
 {
   Flags OnRidge; ///< 1 for the skeleton's vertices

@@ -6,6 +6,7 @@
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
 #include "Core/Thinning.h"
+#include "MeetingEdges.h"
 #include "Placement.h"
 #include "Region.h"
 #include "Retreat.h"
@@ -37,19 +38,6 @@ std::vector<Turn> MeasureTurns(const Mesh& mesh, const Connectivity& connectivit
       }
     });
   return finished ? turns : std::vector<Turn>();
-}
-
-std::vector<Index> VerticesIn(const Flags& region)
-{
-  std::vector<Index> vertices;
-  for (std::size_t v = 0; v < region.size(); ++v)
-  {
-    if (region[v])
-    {
-      vertices.push_back(static_cast<Index>(v));
-    }
-  }
-  return vertices;
 }
 
 /// For each vertex of the region how many edges it is away from the intact ones; -1 outside.
@@ -128,35 +116,6 @@ void TellSkeleton(const Connectivity& connectivity, const Placement& placement,
     }
   }
 }
-
-/// Fits the sides of all damaged vertices and floods their labels; false if stopped.
-bool LabelVertices(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
-  const std::vector<double>& scales, const RobustResult& result, const Patches& patches,
-  const std::vector<Index>& damaged, const Monitor& monitor, Labelling& labelling)
-{
-  labelling.SidesOf.assign(mesh.Points.size(), NoIndex);
-  for (std::size_t i = 0; i < damaged.size(); ++i)
-  {
-    labelling.SidesOf[damaged[i]] = static_cast<Index>(i);
-  }
-  labelling.Sides.resize(damaged.size());
-  const bool finished = ParallelFor(static_cast<Index>(damaged.size()), monitor,
-    [&](Index begin, Index end)
-    {
-      SideFinder finder(
-        mesh, connectivity, faces, scales, result.NormalDifferences, result.Region, patches);
-      for (Index i = begin; i < end; ++i)
-      {
-        labelling.Sides[i] = finder.Find(damaged[i]);
-      }
-    });
-  if (finished)
-  {
-    labelling.Labels =
-      FloodLabels(mesh, connectivity, patches, result.Region, labelling.Sides, labelling.SidesOf);
-  }
-  return finished;
-}
 }
 
 RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
@@ -180,17 +139,14 @@ RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
     result.NormalDifferences[v] = DifferenceOfAngle(turns[v].Deviation);
   }
   result.Region = FindSharpRegion(mesh, connectivity, turns, scales);
+  ExtendToOtherEdges(mesh, connectivity, faces, scales, turns, result.Region);
   SpareThinFaces(mesh, connectivity, faces, scales, result.Region);
-  const Patches patches =
-    SortIntoPatches(mesh, connectivity, faces, result.NormalDifferences, result.Region);
-
-  const std::vector<Index> damaged = VerticesIn(result.Region);
   result.ClassificationSeconds = classification.Seconds();
 
   const StopWatch thinning;
+  const Surroundings around{ mesh, connectivity, faces, scales, result.NormalDifferences };
   Labelling labelling;
-  if (!LabelVertices(mesh, connectivity, faces, scales, result, patches, damaged,
-        monitor.Part(Measured, Fitted), labelling))
+  if (!LabelVertices(around, monitor.Part(Measured, Fitted), result.Region, labelling))
   {
     return result;
   }
@@ -199,9 +155,14 @@ RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
 
   const StopWatch sharpening;
   Placement placement(mesh, connectivity, labelling, scales, ridge.FaceLabels);
-  for (Index v : damaged)
+  std::vector<Index> damaged;
+  for (Index v = 0; v < mesh.VertexCount(); ++v)
   {
-    placement.Place(v);
+    if (result.Region[v])
+    {
+      placement.Place(v);
+      damaged.push_back(v);
+    }
   }
   Untangle(mesh, connectivity, scales, placement);
   Retreat(mesh, connectivity, placement);

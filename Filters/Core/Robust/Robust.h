@@ -6,13 +6,16 @@
 /// folded and nothing cut.
 ///
 ///  1. Turn: at each vertex, the turn that is left once both sides are extrapolated to it.
-///  2. Region: where that turn is concentrated, an edge was sampled away.
+///  2. Region: where that turn is concentrated, an edge was sampled away; where edges meet, the
+///  turn
+///     is taken without the other edge.
 ///  3. ThinFaces, Patches: the intact vertices around, sorted into faces.
-///  4. Sheet, Sides: each face carried on to each damaged vertex, as a plane or a quadric.
-///  5. LocalSolid, Labels: which face a vertex lies on, as faces cut and join each other.
-///  6. Ridge: the fewest vertices that separate the faces; these are the skeleton.
-///  7. Placement, MeetSheets: each vertex put on the faces around it.
-///  8. Untangle, Retreat: folded triangles mended, what cannot be mended given back.
+///  4. Sheet, Sides: each face carried on to each damaged vertex, as a plane or a torus.
+///  5. Unexplained: vertices far from all of these are a narrow face's own.
+///  6. LocalSolid, Labels: which face a vertex lies on, as faces cut and join each other.
+///  7. Ridge: the fewest vertices that separate the faces; these are the skeleton.
+///  8. Placement, MeetSheets: each vertex put on the faces around it.
+///  9. Untangle, Retreat: folded triangles mended, what cannot be mended given back.
 
 #ifndef arris_Robust_Robust_h
 #define arris_Robust_Robust_h

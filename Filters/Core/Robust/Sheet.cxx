@@ -18,14 +18,22 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int PlaneSteps = 3;
-constexpr int QuadricSteps = 3;
+constexpr int CurvedSteps = 6;
+constexpr int CurvedReweights = 2;
+
+/// No sampling shows a surface bent tighter than this, in radians a scale.
+constexpr double MostBending = 0.5;
 
 /// A plane that leaves less than this (rms, in scales) is the surface: contours of exact distances
 /// of planes leave their rounding, those of anything curved leave more.
-constexpr double PlaneResidual = 0.005;
+constexpr double FlatResidual = 0.0005;
 
-/// Fewer samples than this determine no quadric.
-constexpr std::size_t LeastQuadricSamples = 9;
+/// What leaves this many times as much for a plane as for a torus is curved. Extrapolated, a
+/// needless curvature errs more than a plane does.
+constexpr double CurvedGain = 1.5;
+
+/// Fewer samples than this determine no curvature.
+constexpr std::size_t LeastCurvedSamples = 9;
 
 /// Pulls second order toward none; small, or curved sides are flattened (the largest single factor
 /// in accuracy).
@@ -43,13 +51,18 @@ Vec6 Basis(double u, double w)
   basis << 1.0, u, w, u * u, u * w, w * w;
   return basis;
 }
+
+/// How far (u, z) is above the circle of this curvature that touches the u axis at the origin from
+/// above; well-behaved as the circle becomes a line.
+double FromCircle(double curvature, double u, double z)
+{
+  const double twice = 2.0 * z - curvature * (u * u + z * z);
+  return twice / (1.0 + std::sqrt(std::max(0.0, 1.0 - curvature * twice)));
+}
 }
 
-Sheet::Sheet(
-  const std::vector<SheetSample>& samples, const Vec3& center, double scale, double reach)
-  : Origin(center)
-  , Scale(scale)
-  , Reach(reach / scale)
+Sheet::Sheet(const std::vector<SheetSample>& samples, double scale)
+  : Scale(scale)
 {
   std::vector<double> weights(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -64,22 +77,31 @@ Sheet::Sheet(
       this->Reweight(samples, weights);
     }
   }
-  if (samples.size() < LeastQuadricSamples || this->Residual(samples, weights) < PlaneResidual)
+  const double flat = this->Residual(samples, weights);
+  if (samples.size() < LeastCurvedSamples || flat < FlatResidual)
   {
     return;
   }
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    weights[i] = samples[i].Weight; // what a plane took for outliers may lie on the quadric
+    weights[i] = samples[i].Weight; // what a plane took for outliers may lie on the torus
   }
-  this->Curved = true;
-  for (int step = 0; step < QuadricSteps; ++step)
+  const Sheet plane = *this;
+  for (int step = 0; step < CurvedSteps; ++step)
   {
-    this->FitQuadric(samples, weights);
-    if (step + 1 < QuadricSteps)
+    if (!this->Bend(samples, weights))
+    {
+      *this = plane;
+      return;
+    }
+    if (step > 0 && step <= CurvedReweights)
     {
       this->Reweight(samples, weights);
     }
+  }
+  if (flat < CurvedGain * this->Residual(samples, weights))
+  {
+    *this = plane;
   }
 }
 
@@ -116,11 +138,10 @@ void Sheet::FitPlane(const std::vector<SheetSample>& samples, std::vector<double
   this->N = normal.dot(outward) < 0.0 ? Vec3(-normal) : normal;
   this->U = this->N.unitOrthogonal();
   this->W = this->N.cross(this->U);
-  this->Coefficients.setZero();
-  this->Coefficients[0] = (mean - this->Origin).dot(this->N) / this->Scale;
+  this->Origin = mean;
 }
 
-void Sheet::FitQuadric(const std::vector<SheetSample>& samples, std::vector<double>& weights)
+bool Sheet::Bend(const std::vector<SheetSample>& samples, const std::vector<double>& weights)
 {
   Mat6 a = Mat6::Zero();
   Vec6 b = Vec6::Zero();
@@ -130,18 +151,32 @@ void Sheet::FitQuadric(const std::vector<SheetSample>& samples, std::vector<doub
     const Vec3 d = (samples[i].Position - this->Origin) / this->Scale;
     const Vec6 basis = Basis(d.dot(this->U), d.dot(this->W));
     a += weights[i] * basis * basis.transpose();
-    b += weights[i] * d.dot(this->N) * basis;
+    b += weights[i] * this->Distance(samples[i].Position) / this->Scale * basis;
     sum += weights[i];
   }
   for (int k = 0; k < 6; ++k)
   {
     a(k, k) += (k < 3 ? 1e-12 : CurvatureRidge) * sum;
   }
-  const Vec6 solution = a.ldlt().solve(b);
-  if (solution.allFinite())
+  const Vec6 change = a.ldlt().solve(b);
+  if (!change.allFinite())
   {
-    this->Coefficients = solution;
+    return false;
   }
+  Eigen::Matrix2d bending;
+  bending << this->BendingU + 2.0 * change[3], change[4], change[4],
+    this->BendingW + 2.0 * change[5];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(bending);
+  this->Origin += this->Scale * change[0] * this->N;
+  const Vec3 u = this->U, w = this->W;
+  this->N = (this->N - change[1] * u - change[2] * w).normalized();
+  const Eigen::Vector2d direction = principal.eigenvectors().col(0);
+  this->U = direction[0] * u + direction[1] * w;
+  this->U = (this->U - this->U.dot(this->N) * this->N).normalized();
+  this->W = this->N.cross(this->U);
+  this->BendingU = std::clamp(principal.eigenvalues()[0], -MostBending, MostBending);
+  this->BendingW = std::clamp(principal.eigenvalues()[1], -MostBending, MostBending);
+  return true;
 }
 
 double Sheet::Residual(
@@ -197,34 +232,21 @@ void Sheet::Reweight(const std::vector<SheetSample>& samples, std::vector<double
   }
 }
 
-Sheet::HeightAndSlope Sheet::At(double u, double w) const
-{
-  const Vec6& c = this->Coefficients;
-  if (!this->Curved)
-  {
-    return { c[0], 0.0, 0.0 };
-  }
-  const double length = std::hypot(u, w);
-  const double shrink = length > this->Reach ? this->Reach / length : 1.0;
-  const double bu = u * shrink, bw = w * shrink;
-  const double slopeU = c[1] + 2.0 * c[3] * bu + c[4] * bw;
-  const double slopeW = c[2] + 2.0 * c[5] * bw + c[4] * bu;
-  const double height = Basis(bu, bw).dot(c) + slopeU * (u - bu) + slopeW * (w - bw);
-  return { height, slopeU, slopeW };
-}
-
 double Sheet::Distance(const Vec3& point) const
 {
   const Vec3 d = (point - this->Origin) / this->Scale;
-  const HeightAndSlope at = this->At(d.dot(this->U), d.dot(this->W));
-  return this->Scale * (d.dot(this->N) - at.Height) /
-    std::sqrt(1.0 + at.SlopeU * at.SlopeU + at.SlopeW * at.SlopeW);
+  const double height = FromCircle(this->BendingW, d.dot(this->W), d.dot(this->N));
+  return this->Scale * FromCircle(this->BendingU, d.dot(this->U), height);
 }
 
 Vec3 Sheet::Normal(const Vec3& point) const
 {
   const Vec3 d = (point - this->Origin) / this->Scale;
-  const HeightAndSlope at = this->At(d.dot(this->U), d.dot(this->W));
-  return (this->N - at.SlopeU * this->U - at.SlopeW * this->W).normalized();
+  const double u = d.dot(this->U), w = d.dot(this->W), z = d.dot(this->N);
+  const double height = FromCircle(this->BendingW, w, z);
+  const Vec3 inner = (1.0 - this->BendingW * z) * this->N - this->BendingW * w * this->W;
+  const Vec3 normal =
+    (1.0 - this->BendingU * height) * inner.normalized() - this->BendingU * u * this->U;
+  return normal.squaredNorm() > 0.0 ? Vec3(normal.normalized()) : this->N;
 }
 }

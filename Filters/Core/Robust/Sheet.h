@@ -24,10 +24,10 @@ class Sheet
 public:
   Sheet() = default;
 
-  /// Fits a plane by reweighted least squares, and where that leaves more than noise (`scale` is
-  /// the local edge length), a quadric. `reach` is how far from `center` second order is believed;
-  /// beyond it the sheet goes on straight. At least one sample.
-  Sheet(const std::vector<SheetSample>& samples, const Vec3& center, double scale, double reach);
+  /// Fits a plane by reweighted least squares, and where a torus leaves much less, that: it has two
+  /// curvatures, and is exact for planes, cylinders, spheres and tori. `scale` is the local edge
+  /// length. At least one sample.
+  Sheet(const std::vector<SheetSample>& samples, double scale);
 
   /// Distance from the sheet, to first order; positive outside.
   double Distance(const Vec3& point) const;
@@ -36,13 +36,8 @@ public:
   Vec3 Normal(const Vec3& point) const;
 
 private:
-  struct HeightAndSlope
-  {
-    double Height, SlopeU, SlopeW;
-  };
-  HeightAndSlope At(double u, double w) const;
   void FitPlane(const std::vector<SheetSample>& samples, std::vector<double>& weights);
-  void FitQuadric(const std::vector<SheetSample>& samples, std::vector<double>& weights);
+  bool Bend(const std::vector<SheetSample>& samples, const std::vector<double>& weights);
   double Residual(
     const std::vector<SheetSample>& samples, const std::vector<double>& weights) const;
   void Reweight(const std::vector<SheetSample>& samples, std::vector<double>& weights) const;
@@ -52,9 +47,8 @@ private:
   Vec3 W = Vec3::UnitY();
   Vec3 N = Vec3::UnitZ();
   double Scale = 1.0;
-  double Reach = 1.0; // in scales
-  bool Curved = false;
-  Eigen::Matrix<double, 6, 1> Coefficients = Eigen::Matrix<double, 6, 1>::Zero(); // 1 u w uu uw ww
+  double BendingU = 0.0; ///< curvature along U, the inverse of a radius in scales; toward N
+  double BendingW = 0.0;
 };
 }
 

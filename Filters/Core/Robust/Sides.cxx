@@ -14,10 +14,9 @@ namespace arris
 namespace
 {
 // Lengths in local scales.
-constexpr double SearchRadius = 4.5; // for patches
 constexpr double SampleDepth = 3.5; // samples are this much farther away than the nearest one
+constexpr double SearchRadius = SideFinder::Reach - SampleDepth; // for patches
 constexpr double WeightDepth = 1.5;
-constexpr double SecondOrderDepth = 2.5;
 constexpr std::size_t MostSides = 8;
 
 /// λτ at which a sample's weight falls to 1/e: what bends is contaminated or another face.
@@ -32,7 +31,7 @@ std::vector<Side> SideFinder::Find(Index vertex)
 {
   std::vector<Side> sides;
   const double scale = this->Scales[vertex];
-  this->GatherNear(vertex, (SearchRadius + SampleDepth) * scale);
+  this->GatherNear(vertex, Reach * scale);
   for (const Near& near : this->Static) // nearest first
   {
     const Index patch = this->ThePatches.PatchOf[near.Vertex];
@@ -130,7 +129,6 @@ void SideFinder::Fit(Index vertex, Side& side)
       std::exp(-2.0 * d * d - this->Flatness[v] / FlatnessScale) * (border ? BorderWeight : 1.0);
     this->Samples.push_back({ this->TheMesh.Points[v], this->TheFaces.VertexNormals[v], weight });
   }
-  side.Surface = Sheet(
-    this->Samples, this->TheMesh.Points[vertex], scale, side.Distance + SecondOrderDepth * scale);
+  side.Surface = Sheet(this->Samples, scale);
 }
 }

@@ -39,6 +39,9 @@ public:
   {
   }
 
+  /// How far away samples are taken, in local scales.
+  static constexpr double Reach = 8.0;
+
   std::vector<Side> Find(Index vertex);
 
 private:

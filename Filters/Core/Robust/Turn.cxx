@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace arris
 {
@@ -57,7 +58,7 @@ Turn TurnMeter::Measure(Index vertex)
   Turn best;
   this->Scale = this->Scales[vertex];
   this->Position = this->TheMesh.Points[vertex];
-  const std::vector<Index>& window = this->Window.Gather(vertex, TurnWindow * this->Scale);
+  const std::vector<Index>& window = this->GatherWindow(vertex);
   best.Deviation = AngleOfDifference(this->Spread.Largest(window, this->TheFaces.Normals));
   if (best.Deviation < FlatDeviation)
   {
@@ -143,13 +144,37 @@ void TurnMeter::MeasureAcross(
   turn.Concentrated = turn.Across - Degrees((last - first) * steepest);
 }
 
+const std::vector<Index>& TurnMeter::GatherWindow(Index vertex)
+{
+  const std::vector<Index>& window = this->Window.Gather(vertex, TurnWindow * this->Scale);
+  if (this->Barrier == nullptr)
+  {
+    return window;
+  }
+  this->ClearWindow.clear();
+  std::copy_if(window.begin(), window.end(), std::back_inserter(this->ClearWindow),
+    [this](Index face) { return !this->IsBarrier(face); });
+  return this->ClearWindow;
+}
+
+bool TurnMeter::IsBarrier(Index face) const
+{
+  if (this->Barrier == nullptr)
+  {
+    return false;
+  }
+  const Triangle& corners = this->TheMesh.Triangles[face];
+  const Flags& region = *this->Barrier;
+  return region[corners[0]] + region[corners[1]] + region[corners[2]] > 1;
+}
+
 void TurnMeter::GatherNear(Index vertex, double radius)
 {
   this->Near.clear();
   this->Seen.Clear();
   const auto look = [&](Index face)
   {
-    if (face == NoIndex || !this->Seen.Insert(face))
+    if (face == NoIndex || !this->Seen.Insert(face) || this->IsBarrier(face))
     {
       return;
     }

@@ -26,12 +26,22 @@ struct Turn
   double WideJump = 0.0; ///< J again from sides that start and end half an edge farther out
 };
 
+/// Whether the window is flat, so that the turn was not looked into.
+inline bool IsFlat(const Turn& turn)
+{
+  return turn.Across == 0.0 && turn.Jump == 0.0;
+}
+
 /// Measures the turn at vertices. Keeps its working memory: use one object a thread.
 class TurnMeter
 {
 public:
   TurnMeter(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
     const std::vector<double>& scales);
+
+  /// Looks past no triangle with two corners or more in `region`, from now on: what lies beyond
+  /// another edge has no part in the turn.
+  void LookWithin(const Flags& region) { this->Barrier = &region; }
 
   Turn Measure(Index vertex);
 
@@ -51,7 +61,9 @@ private:
     bool Known = false;
   };
 
+  const std::vector<Index>& GatherWindow(Index vertex);
   void GatherNear(Index vertex, double radius);
+  bool IsBarrier(Index face) const;
   Side FitSide(
     const Vec3& across, const Vec3& along, double sign, double nearest, double farthest) const;
   double JumpOf(const Side& left, const Side& right, const Vec3& across) const;
@@ -66,6 +78,8 @@ private:
   NormalSpread Spread;
   IndexSet Seen;
   std::vector<SeenFace> Near;
+  const Flags* Barrier = nullptr;
+  std::vector<Index> ClearWindow;
   double Scale = 0.0;
   Vec3 Position;
 };

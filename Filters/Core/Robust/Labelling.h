@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Labelling.h
+/// The damaged vertices, the sides of each, and which of them each lies on.
+
+#ifndef arris_Robust_Labelling_h
+#define arris_Robust_Labelling_h
+
+#include "Core/Parallel.h"
+#include "Labels.h"
+
+namespace arris
+{
+/// All that is known of the mesh before sides are fitted.
+struct Surroundings
+{
+  const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
+  const Faces& TheFaces;
+  const std::vector<double>& Scales;
+  const std::vector<double>& Flatness; ///< λτ of each vertex
+};
+
+/// All that has been found out about the damaged vertices.
+struct Labelling
+{
+  std::vector<Index> Labels; ///< for each vertex its patch
+  std::vector<std::vector<Side>> Sides; ///< of the vertices of the region, in their order
+  std::vector<Index> SidesOf; ///< for each vertex where in Sides; NoIndex if intact
+
+  /// The sheet of a label as a vertex sees it, or one of its neighbours does; null if none.
+  const Sheet* SheetAt(const Connectivity& connectivity, Index vertex, Index label) const;
+};
+
+/// Fits the sides of every vertex of the region, sorts what is intact into patches, gives narrow
+/// faces back to the intact part (which shrinks the region), and labels the rest. False if the
+/// monitor stopped it.
+bool LabelVertices(
+  const Surroundings& around, const Monitor& monitor, Flags& region, Labelling& labelling);
+}
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeetingEdges.h"
+
+#include "Core/Parallel.h"
+#include "Region.h"
+
+namespace arris
+{
+namespace
+{
+constexpr int Passes = 2; // the second for what the first has uncovered
+constexpr int MostEdges = 5; // as far as the sides of a turn reach
+
+/// The vertices outside the region but no more than this many edges away from it.
+std::vector<Index> VerticesBeside(
+  const Connectivity& connectivity, const Flags& region, int mostEdges)
+{
+  Flags seen = region;
+  std::vector<Index> front;
+  for (std::size_t v = 0; v < region.size(); ++v)
+  {
+    if (region[v])
+    {
+      front.push_back(static_cast<Index>(v));
+    }
+  }
+  std::vector<Index> beside;
+  for (int step = 0; step < mostEdges; ++step)
+  {
+    std::vector<Index> next;
+    for (Index v : front)
+    {
+      for (Index n : connectivity.NeighborsOfVertex[v])
+      {
+        if (!seen[n])
+        {
+          seen[n] = 1;
+          next.push_back(n);
+        }
+      }
+    }
+    beside.insert(beside.end(), next.begin(), next.end());
+    front.swap(next);
+  }
+  return beside;
+}
+}
+
+void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
+  const std::vector<double>& scales, const std::vector<Turn>& turns, Flags& region)
+{
+  for (int pass = 0; pass < Passes; ++pass)
+  {
+    const std::vector<Index> beside = VerticesBeside(connectivity, region, MostEdges);
+    Flags found(beside.size(), 0);
+    ParallelFor(static_cast<Index>(beside.size()),
+      [&](Index begin, Index end)
+      {
+        TurnMeter meter(mesh, connectivity, faces, scales);
+        meter.LookWithin(region);
+        for (Index i = begin; i < end; ++i)
+        {
+          found[i] = !IsFlat(turns[beside[i]]) && ShowsEdge(meter.Measure(beside[i])) ? 1 : 0;
+        }
+      });
+    for (std::size_t i = 0; i < beside.size(); ++i)
+    {
+      region[beside[i]] = found[i];
+    }
+  }
+}
+}
