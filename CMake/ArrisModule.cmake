@@ -25,6 +25,7 @@ set(sources
   Filters/Core/Thinning.cxx
   Filters/Core/TriangleCrossing.cxx
   Filters/Core/Ussod.cxx
+  Filters/Core/Robust/Apexes.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/Labels.cxx
   Filters/Core/Robust/Labelling.cxx

@@ -70,6 +70,7 @@ bool LabelVertices(
   {
     return false;
   }
+  labelling.FirstApexLabel = patches.PatchCount;
   labelling.Labels = FloodLabels(
     around.TheMesh, around.TheConnectivity, patches, region, labelling.Sides, labelling.SidesOf);
   return true;

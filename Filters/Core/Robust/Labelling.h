@@ -29,6 +29,9 @@ struct Labelling
   std::vector<std::vector<Side>> Sides; ///< of the vertices of the region, in their order
   std::vector<Index> SidesOf; ///< for each vertex where in Sides; NoIndex if intact
 
+  /// Labels from here on are those of tips: no edge runs around one.
+  Index FirstApexLabel = 0;
+
   /// The sheet of a label as a vertex sees it, or one of its neighbours does; null if none.
   const Sheet* SheetAt(const Connectivity& connectivity, Index vertex, Index label) const;
 };

@@ -29,6 +29,7 @@ Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const L
   , FaceLabels(std::move(faceLabels))
   , Points(mesh.Points)
   , Sheets(labelling.Sides.size())
+  , Pinned(labelling.Sides.size(), 0)
 {
 }
 
@@ -76,8 +77,20 @@ void Placement::CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) c
   }
 }
 
+void Placement::Pin(Index vertex, const Vec3& point)
+{
+  const Index damaged = this->TheLabelling.SidesOf[vertex];
+  this->Pinned[damaged] = 1;
+  this->Sheets[damaged].clear();
+  this->Points[vertex] = point;
+}
+
 void Placement::Place(Index vertex)
 {
+  if (this->Pinned[this->TheLabelling.SidesOf[vertex]])
+  {
+    return;
+  }
   std::vector<const Sheet*>& sheets = this->Sheets[this->TheLabelling.SidesOf[vertex]];
   this->CollectSheets(vertex, sheets);
   const Vec3& x = this->TheMesh.Points[vertex];

@@ -35,6 +35,9 @@ public:
   /// Finds the sheets of a damaged vertex from the labels around it, and puts it on them.
   void Place(Index vertex);
 
+  /// Puts a damaged vertex where it stays, whatever is placed afterwards: at a tip.
+  void Pin(Index vertex, const Vec3& point);
+
   /// The point on the vertex's sheets next to `target`; the vertex's own where that is too far.
   Vec3 Held(Index vertex, const Vec3& target) const;
 
@@ -55,6 +58,7 @@ private:
   std::vector<Index> FaceLabels;
   std::vector<Vec3> Points;
   std::vector<std::vector<const Sheet*>> Sheets;
+  Flags Pinned; // of the damaged vertices, as Sheets
 };
 }
 

@@ -77,7 +77,8 @@ private:
   {
     const Index labelA = this->TheLabelling.Labels[a];
     const Index labelB = this->TheLabelling.Labels[b];
-    if (labelA == labelB || labelA == NoIndex || labelB == NoIndex)
+    if (labelA == labelB || labelA == NoIndex || labelB == NoIndex ||
+      std::max(labelA, labelB) >= this->TheLabelling.FirstApexLabel)
     {
       return false;
     }
@@ -139,8 +140,7 @@ private:
         touchesRegion = touchesRegion || this->TheLabelling.SidesOf[v] != NoIndex;
         if (!this->Cover[v] && this->TheLabelling.Labels[v] != NoIndex)
         {
-          label = label == NoIndex ? this->TheLabelling.Labels[v]
-                                   : std::min(label, this->TheLabelling.Labels[v]);
+          label = this->Preferred(label, this->TheLabelling.Labels[v]);
         }
       }
       if (touchesRegion)
@@ -149,6 +149,13 @@ private:
       }
     }
     return labels;
+  }
+
+  /// Of two labels in one triangle away from all ridges either would do, but for a tip's own.
+  Index Preferred(Index a, Index b) const
+  {
+    const bool apex = std::max(a, b) >= this->TheLabelling.FirstApexLabel;
+    return a == NoIndex || apex ? std::max(a, b) : std::min(a, b);
   }
 
   /// A triangle with all corners on the ridge: the face it lies nearest to.

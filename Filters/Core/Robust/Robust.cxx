@@ -3,6 +3,7 @@
 
 #include "Robust.h"
 
+#include "Apexes.h"
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
 #include "Core/Thinning.h"
@@ -150,6 +151,7 @@ RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
   {
     return result;
   }
+  const std::vector<Apex> apexes = FindApexes(around, result.Region, labelling);
   const Ridge ridge = FindRidge(mesh, connectivity, faces, labelling);
   result.ThinningSeconds = thinning.Seconds();
 
@@ -162,6 +164,13 @@ RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
     {
       placement.Place(v);
       damaged.push_back(v);
+    }
+  }
+  for (const Apex& apex : apexes)
+  {
+    for (Index v : apex.Members)
+    {
+      placement.Pin(v, v == apex.Vertex ? apex.Tip : mesh.Points[v]);
     }
   }
   Untangle(mesh, connectivity, scales, placement);

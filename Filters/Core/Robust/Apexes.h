@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file Apexes.h
+/// Tips: small sharp regions by themselves, around which all tangent planes meet in one point.
+
+#ifndef arris_Robust_Apexes_h
+#define arris_Robust_Apexes_h
+
+#include "Labelling.h"
+
+namespace arris
+{
+struct Apex
+{
+  Index Vertex; ///< the one nearest to the tip, which goes there
+  Vec3 Tip;
+  std::vector<Index> Members; ///< the vertices around, which stay: only the last of a cone is lost
+};
+
+/// Finds the tips, and gives the vertices of each one label of its own, without sides, so that no
+/// ridge runs around a tip.
+std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region, Labelling& labelling);
+}
+
+#endif
