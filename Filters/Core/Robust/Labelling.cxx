@@ -32,7 +32,7 @@ bool FitSides(const Surroundings& around, const Flags& region, const Patches& pa
     [&](Index begin, Index end)
     {
       SideFinder finder(around.TheMesh, around.TheConnectivity, around.TheFaces, around.Scales,
-        around.Flatness, region, patches);
+        around.Flatness, around.Rounding, region, patches);
       for (Index i = begin; i < end; ++i)
       {
         labelling.Sides[labelling.SidesOf[vertices[i]]] = finder.Find(vertices[i]);

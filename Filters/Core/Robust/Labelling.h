@@ -20,6 +20,7 @@ struct Surroundings
   const Faces& TheFaces;
   const std::vector<double>& Scales;
   const std::vector<double>& Flatness; ///< λτ of each vertex
+  double Rounding; ///< how far the sampling has rounded edges, 0 to 1
 };
 
 /// All that has been found out about the damaged vertices.

@@ -49,7 +49,7 @@ public:
   {
   }
 
-  Flags Find()
+  SharpRegion Find()
   {
     for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
     {
@@ -58,10 +58,15 @@ public:
     }
     this->DropSmallGroups();
     this->FindBlendDegrees();
+    const double rounding = this->Rounding();
+    for (std::size_t v = 0; v < this->Seeds.size(); ++v)
+    {
+      this->Blend[v] = this->Seeds[v] ? std::max(this->Blend[v], rounding) : 0.0;
+    }
     Flags region = this->Grow();
     this->Dilate(region);
     this->FillHoles(region);
-    return region;
+    return { std::move(region), rounding };
   }
 
 private:
@@ -159,6 +164,22 @@ private:
         this->Blend[v] = std::clamp((SharpRatio - now[v][0] / now[v][1]) / RatioRange, 0.0, 1.0);
       }
     }
+  }
+
+  /// What the sampling does to all edges: one may look rounded for what is beside it, but on
+  /// average those that were only cut off do not.
+  double Rounding() const
+  {
+    constexpr double LeastMean = 0.2; // measured on contours: up to 0.13
+    constexpr double MostMean = 0.5; // on contours of blurred distances: from 0.56
+    double sum = 0.0, count = 0.0;
+    for (std::size_t v = 0; v < this->Seeds.size(); ++v)
+    {
+      sum += this->Seeds[v] ? this->Blend[v] : 0.0;
+      count += this->Seeds[v];
+    }
+    const double mean = count > 0.0 ? sum / count : 0.0;
+    return std::clamp((mean - LeastMean) / (MostMean - LeastMean), 0.0, 1.0);
   }
 
   bool IsRidge(Index v) const
@@ -278,7 +299,7 @@ bool ShowsEdge(const Turn& turn)
     turn.Concentrated >= SeedConcentration * turn.Jump;
 }
 
-Flags FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
+SharpRegion FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<Turn>& turns, const std::vector<double>& scales)
 {
   return RegionFinder(mesh, connectivity, turns, scales).Find();

@@ -11,8 +11,13 @@
 
 namespace arris
 {
-/// 1 for the vertices that sampling has taken off the surface beside a sharp edge or corner.
-Flags FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
+struct SharpRegion
+{
+  Flags Vertices; ///< 1 for those that sampling has taken off the surface beside an edge or corner
+  double Rounding; ///< 0 where the mesh's edges were cut off, 1 where they were rounded as well
+};
+
+SharpRegion FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<Turn>& turns, const std::vector<double>& scales);
 
 /// Whether the turn is that of an edge: sharp enough, and more concentrated than a curved side's.

@@ -139,13 +139,15 @@ RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
     result.WindowRadii[v] = TurnWindow * scales[v];
     result.NormalDifferences[v] = DifferenceOfAngle(turns[v].Deviation);
   }
-  result.Region = FindSharpRegion(mesh, connectivity, turns, scales);
+  SharpRegion sharp = FindSharpRegion(mesh, connectivity, turns, scales);
+  result.Region = std::move(sharp.Vertices);
   ExtendToOtherEdges(mesh, connectivity, faces, scales, turns, result.Region);
   SpareThinFaces(mesh, connectivity, faces, scales, result.Region);
   result.ClassificationSeconds = classification.Seconds();
 
   const StopWatch thinning;
-  const Surroundings around{ mesh, connectivity, faces, scales, result.NormalDifferences };
+  const Surroundings around{ mesh, connectivity, faces, scales, result.NormalDifferences,
+    sharp.Rounding };
   Labelling labelling;
   if (!LabelVertices(around, monitor.Part(Measured, Fitted), result.Region, labelling))
   {

@@ -28,10 +28,6 @@ constexpr double MostBending = 0.5;
 /// of planes leave their rounding, those of anything curved leave more.
 constexpr double FlatResidual = 0.0005;
 
-/// What leaves this many times as much for a plane as for a torus is curved. Extrapolated, a
-/// needless curvature errs more than a plane does.
-constexpr double CurvedGain = 1.5;
-
 /// Fewer samples than this determine no curvature.
 constexpr std::size_t LeastCurvedSamples = 9;
 
@@ -61,7 +57,7 @@ double FromCircle(double curvature, double u, double z)
 }
 }
 
-Sheet::Sheet(const std::vector<SheetSample>& samples, double scale)
+Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, double curvedGain)
   : Scale(scale)
 {
   std::vector<double> weights(samples.size());
@@ -99,7 +95,7 @@ Sheet::Sheet(const std::vector<SheetSample>& samples, double scale)
       this->Reweight(samples, weights);
     }
   }
-  if (flat < CurvedGain * this->Residual(samples, weights))
+  if (flat < curvedGain * this->Residual(samples, weights))
   {
     *this = plane;
   }

@@ -26,8 +26,9 @@ public:
 
   /// Fits a plane by reweighted least squares, and where a torus leaves much less, that: it has two
   /// curvatures, and is exact for planes, cylinders, spheres and tori. `scale` is the local edge
-  /// length. At least one sample.
-  Sheet(const std::vector<SheetSample>& samples, double scale);
+  /// length; `curvedGain` how many times as much a plane must leave to be given up. At least one
+  /// sample.
+  Sheet(const std::vector<SheetSample>& samples, double scale, double curvedGain);
 
   /// Distance from the sheet, to first order; positive outside.
   double Distance(const Vec3& point) const;

@@ -22,6 +22,18 @@ constexpr std::size_t MostSides = 8;
 /// λτ at which a sample's weight falls to 1/e: what bends is contaminated or another face.
 constexpr double FlatnessScale = 0.2;
 constexpr double BorderWeight = 0.3; // of samples that touch the sharp region
+constexpr double BlendedBorderWeight = 0.1;
+
+/// What leaves this many times as much for a plane as for a torus is curved. Extrapolated, a
+/// needless curvature errs more than a plane does. Beside a blended edge the last of the blend
+/// bends what is flat.
+constexpr double CurvedGain = 1.5;
+constexpr double BlendedCurvedGain = 8.0;
+
+double Mixed(double sharp, double blended, double rounding)
+{
+  return sharp + rounding * (blended - sharp);
+}
 
 /// Samples of other patches are used where their normals differ by less than this, in degrees.
 constexpr double LikeNormal = 25.0;
@@ -97,6 +109,7 @@ void SideFinder::Fit(Index vertex, Side& side)
   const double radius = side.Distance + SampleDepth * scale;
   const double width = side.Distance + WeightDepth * scale;
   const double likeCosine = std::cos(LikeNormal * Pi / 180.0);
+  const double borderWeight = Mixed(BorderWeight, BlendedBorderWeight, this->Rounding);
   Vec3 normal = Vec3::Zero();
   Index piece = NoIndex;
   this->Samples.clear();
@@ -126,9 +139,9 @@ void SideFinder::Fit(Index vertex, Side& side)
     }
     const double d = near.Distance / width;
     const double weight =
-      std::exp(-2.0 * d * d - this->Flatness[v] / FlatnessScale) * (border ? BorderWeight : 1.0);
+      std::exp(-2.0 * d * d - this->Flatness[v] / FlatnessScale) * (border ? borderWeight : 1.0);
     this->Samples.push_back({ this->TheMesh.Points[v], this->TheFaces.VertexNormals[v], weight });
   }
-  side.Surface = Sheet(this->Samples, scale);
+  side.Surface = Sheet(this->Samples, scale, Mixed(CurvedGain, BlendedCurvedGain, this->Rounding));
 }
 }

@@ -27,13 +27,14 @@ class SideFinder
 {
 public:
   SideFinder(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
-    const std::vector<double>& scales, const std::vector<double>& flatness, const Flags& region,
-    const Patches& patches)
+    const std::vector<double>& scales, const std::vector<double>& flatness, double rounding,
+    const Flags& region, const Patches& patches)
     : TheMesh(mesh)
     , TheConnectivity(connectivity)
     , TheFaces(faces)
     , Scales(scales)
     , Flatness(flatness)
+    , Rounding(rounding)
     , Region(region)
     , ThePatches(patches)
   {
@@ -58,6 +59,7 @@ private:
   const Faces& TheFaces;
   const std::vector<double>& Scales;
   const std::vector<double>& Flatness;
+  double Rounding;
   const Flags& Region;
   const Patches& ThePatches;
   IndexSet Seen;

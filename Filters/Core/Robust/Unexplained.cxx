@@ -13,13 +13,16 @@ namespace
 /// Farther than this from all sides (in local scales) no sampling puts a vertex of an edge.
 constexpr double FarFromSides = 0.35;
 
+/// How much farther rounding puts it.
+constexpr double FarBlended = 0.6;
+
 /// Fewer vertices than this are no face.
 constexpr std::size_t SmallestFace = 3;
 
 bool IsExplained(const Surroundings& around, const Labelling& labelling, Index vertex)
 {
   const std::vector<Side>& sides = labelling.Sides[labelling.SidesOf[vertex]];
-  const double reach = FarFromSides * around.Scales[vertex];
+  const double reach = (FarFromSides + FarBlended * around.Rounding) * around.Scales[vertex];
   return std::any_of(sides.begin(), sides.end(),
     [&](const Side& side)
     { return std::abs(side.Surface.Distance(around.TheMesh.Points[vertex])) <= reach; });
