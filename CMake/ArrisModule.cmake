@@ -12,7 +12,7 @@ set(classes
 set(sources
   Filters/Core/ConnectedWindow.cxx
   Filters/Core/Curves.cxx
-  Filters/Core/FeatureEdges.cxx
+  Filters/Core/EdgeGraph.cxx
   Filters/Core/Geometry.cxx
   Filters/Core/Intersections.cxx
   Filters/Core/Mesh.cxx
@@ -21,10 +21,26 @@ set(sources
   Filters/Core/Sharpening.cxx
   Filters/Core/Skeleton.cxx
   Filters/Core/SpatialWindow.cxx
-  Filters/Core/Surfaces.cxx
   Filters/Core/Thinning.cxx
   Filters/Core/TriangleCrossing.cxx
   Filters/Core/Ussod.cxx
+  Filters/Core/Features/CurveProperties.cxx
+  Filters/Core/Features/FeatureCorners.cxx
+  Filters/Core/Features/FeatureEdges.cxx
+  Filters/Core/Features/FeatureExtraction.cxx
+  Filters/Core/Features/FeatureSelection.cxx
+  Filters/Core/Features/Folds.cxx
+  Filters/Core/Features/Gaps.cxx
+  Filters/Core/Features/Hysteresis.cxx
+  Filters/Core/Features/Noise.cxx
+  Filters/Core/Features/Resampling.cxx
+  Filters/Core/Features/Surfaces.cxx
+  Filters/Core/Features/Tails.cxx
+  Filters/Core/Features/Tips.cxx
+  Filters/Core/Fits/FaceFit.cxx
+  Filters/Core/Fits/FirstGuess.cxx
+  Filters/Core/Fits/Primitive.cxx
+  Filters/Core/Fits/Refine.cxx
   Filters/Core/Robust/Apexes.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/Labels.cxx
@@ -45,7 +61,10 @@ set(sources
   Filters/Core/Robust/Unexplained.cxx
   Filters/Core/Robust/Untangle.cxx
   Filters/Support/Arrays.cxx
+  Filters/Support/FaceTable.cxx
+  Filters/Support/FeatureOutputs.cxx
   Filters/Support/PaperMethod.cxx
+  Filters/Support/PointMerging.cxx
   Filters/Support/Polylines.cxx
   Filters/Support/RobustMethod.cxx
   Filters/Support/Surface.cxx)

@@ -3,42 +3,168 @@
 
 #include "vtkSharpEdgeExtractor.h"
 
-#include "Core/Curves.h"
-#include "Core/FeatureEdges.h"
-#include "Core/Surfaces.h"
+#include "Core/Features/FeatureExtraction.h"
 #include "Support/Arrays.h"
+#include "Support/FeatureOutputs.h"
 #include "Support/FilterMonitor.h"
 #include "Support/Parameters.h"
-#include "Support/Polylines.h"
+#include "Support/PointMerging.h"
 #include "Support/Surface.h"
 
-#include <vtkCellData.h>
+#include <vtkDataObject.h>
 #include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
 
 vtkStandardNewMacro(vtkSharpEdgeExtractor);
+
+namespace
+{
+enum Port
+{
+  Curves,
+  Corners,
+  Mesh,
+  Faces,
+  PortCount
+};
+
+/// A mesh that is cut into pieces may leave some of them empty.
+bool IsOneOfSeveralPieces(vtkInformationVector* outputs)
+{
+  vtkInformationIntegerKey* pieces = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES();
+  bool several = false;
+  for (int port = 0; port < PortCount; ++port)
+  {
+    vtkInformation* output = outputs->GetInformationObject(port); // one of them is asked for
+    several = several || (output->Has(pieces) && output->Get(pieces) > 1);
+  }
+  return several;
+}
+
+/// Fills the mesh that is looked at, its open points merged; what is wrong with it, or nothing.
+std::string ReadMesh(
+  vtkPolyData* input, bool mayBeEmpty, double tolerance, vtkPolyData* output, arris::Surface& mesh)
+{
+  std::string problem = arris::ReadSurface(input, output, mesh);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  arris::MergeOpenPoints(tolerance, mesh);
+  if (mesh.Triangulation.Triangles.empty() && input->GetNumberOfPolys() == 0 &&
+    input->GetNumberOfStrips() == 0 && !mayBeEmpty)
+  {
+    problem = "the input has no triangles: give a mesh of triangles or polygons";
+  }
+  else if (arris::IsSoup(mesh))
+  {
+    problem = "no two triangles share an edge, as the points are not merged: raise MergeTolerance";
+  }
+  if (!problem.empty())
+  {
+    output->Initialize();
+  }
+  return problem;
+}
+
+/// The vertices where vtkSharpEdgeReconstruction put the edges, if that is where the mesh is from.
+arris::Flags SkeletonOf(vtkPolyData* mesh)
+{
+  std::vector<double> roles;
+  const std::string problem =
+    arris::ReadPointValues(mesh->GetPointData()->GetArray(arris::array::SkeletonRole),
+      arris::array::SkeletonRole, mesh, roles);
+  return problem.empty() ? arris::NonZero(roles) : arris::Flags();
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSharpEdgeExtractor::vtkSharpEdgeExtractor()
   : FeatureAngle(arris::DefaultFeatureAngle)
   , CornerAngle(arris::DefaultCornerAngle)
+  , NoiseFactor(arris::DefaultNoiseFactor)
+  , MergeTolerance(arris::DefaultMergeTolerance)
+  , FitTolerance(arris::DefaultFitTolerance)
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(PortCount);
 }
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkSharpEdgeExtractor::GetCorners()
 {
-  return this->GetOutput(1);
+  return this->GetOutput(Corners);
 }
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkSharpEdgeExtractor::GetSurfaces()
 {
-  return this->GetOutput(2);
+  return this->GetOutput(Mesh);
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkSharpEdgeExtractor::GetFaces()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(Faces));
+}
+
+//------------------------------------------------------------------------------
+int vtkSharpEdgeExtractor::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == Faces ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSharpEdgeExtractor::ProblemWithParameters() const
+{
+  return arris::FirstProblem({ arris::ProblemWithAngle("FeatureAngle", this->FeatureAngle),
+                               arris::ProblemWithAngle("CornerAngle", this->CornerAngle),
+                               arris::ProblemWithSize("NoiseFactor", this->NoiseFactor),
+                               arris::ProblemWithLength("GapLength", this->GapLength),
+                               arris::ProblemWithLength("TailLength", this->TailLength),
+                               arris::ProblemWithSize("MinimumLength", this->MinimumLength),
+                               arris::ProblemWithSize("MergeTolerance", this->MergeTolerance),
+                               arris::ProblemWithSize("ResampleStep", this->ResampleStep),
+                               arris::ProblemWithSize("FitTolerance", this->FitTolerance) },
+    [this]() -> std::string
+    {
+      if (!(this->ContinuationAngle >= 0.0 && this->ContinuationAngle <= this->FeatureAngle))
+      {
+        return "ContinuationAngle must be from 0 to FeatureAngle (" +
+          std::to_string(this->FeatureAngle) + "); it is " +
+          std::to_string(this->ContinuationAngle);
+      }
+      if (!(this->MaximumAngle >= this->FeatureAngle && this->MaximumAngle <= 180.0))
+      {
+        return "MaximumAngle must be from FeatureAngle (" + std::to_string(this->FeatureAngle) +
+          ") to 180; it is " + std::to_string(this->MaximumAngle);
+      }
+      return {};
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSharpEdgeExtractor::FillCriteria(
+  double averageEdgeLength, arris::FeatureCriteria& criteria) const
+{
+  const double continuation = this->ContinuationAngle > 0.0
+    ? this->ContinuationAngle
+    : arris::DefaultContinuation * this->FeatureAngle;
+  criteria.Band = { this->FeatureAngle, continuation, this->MaximumAngle, this->CornerAngle };
+  criteria.NoiseFactor = this->NoiseFactor;
+  criteria.Boundary = this->BoundaryEdges;
+  criteria.NonManifold = this->NonManifoldEdges;
+  criteria.GapLength =
+    this->GapLength < 0.0 ? arris::DefaultGap * averageEdgeLength : this->GapLength;
+  criteria.TailLength =
+    this->TailLength < 0.0 ? arris::DefaultTail * averageEdgeLength : this->TailLength;
+  criteria.MinimumLength = this->MinimumLength;
 }
 
 //------------------------------------------------------------------------------
@@ -46,44 +172,42 @@ int vtkSharpEdgeExtractor::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* curves = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* corners = vtkPolyData::GetData(outputVector, 1);
-  vtkPolyData* surfaces = vtkPolyData::GetData(outputVector, 2);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, Mesh);
 
   arris::Surface surface;
-  const std::string problem =
-    arris::FirstProblem({ arris::ProblemWithAngle("FeatureAngle", this->FeatureAngle),
-                          arris::ProblemWithAngle("CornerAngle", this->CornerAngle) },
-      [&] { return arris::ReadSurface(input, surfaces, surface); });
+  const bool mayBeEmpty = IsOneOfSeveralPieces(outputVector);
+  const std::string problem = arris::FirstProblem({ this->ProblemWithParameters() },
+    [&] { return ReadMesh(input, mayBeEmpty, this->MergeTolerance, output, surface); });
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return 1;
   }
-  if (surfaces->GetNumberOfPoints() == 0)
+  if (output->GetNumberOfPoints() == 0)
   {
     return 1;
   }
 
+  arris::ExtractionParameters parameters;
+  this->FillCriteria(surface.AverageEdgeLength, parameters.Criteria);
+  parameters.Criteria.Likely = SkeletonOf(output);
+  parameters.CornerReach = arris::CornerReach * surface.AverageEdgeLength;
+  parameters.FitShapes = this->FitPrimitives;
+  parameters.FitTolerance = this->FitTolerance;
   const arris::Mesh& mesh = surface.Triangulation;
-  const std::vector<arris::FeatureEdge> features =
-    arris::FindFeatureEdges(mesh, surface.Adjacency, this->FeatureAngle, arris::MonitorOf(this));
-  if (this->GetAbortExecute())
+  arris::FeatureSet features;
+  if (!arris::ExtractFeatures(
+        mesh, surface.Adjacency, parameters, arris::MonitorOf(this), features))
   {
-    surfaces->Initialize();
+    output->Initialize();
     return 1;
   }
-  std::vector<std::array<arris::Index, 2>> edges;
-  for (const arris::FeatureEdge& feature : features)
-  {
-    edges.push_back({ feature.A, feature.B });
-  }
-  const arris::CurveNetwork network = arris::JoinEdges(edges, mesh.Points, this->CornerAngle);
-  arris::FillPolylines(curves, network.Curves, surfaces);
-  arris::AddCurveArrays(curves, network.Curves, features, mesh.Points);
-  arris::FillCorners(corners, network.Corners, surfaces);
-  arris::AddSurfaceIds(
-    surfaces, arris::SurfaceIds(mesh, surface.Adjacency, features), surface.Cells);
+  arris::FillCurves(
+    vtkPolyData::GetData(outputVector, Curves), features, mesh.Points, this->ResampleStep, output);
+  arris::FillCorners(vtkPolyData::GetData(outputVector, Corners), features.Corners, output);
+  arris::AddSurfaceIds(output, features.Faces.Ids, surface.Cells);
+  arris::FillFaceTable(
+    vtkTable::GetData(outputVector, Faces), features.Faces.Measures, features.Fits);
   return 1;
 }
 
@@ -92,5 +216,17 @@ void vtkSharpEdgeExtractor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "ContinuationAngle: " << this->ContinuationAngle << "\n";
+  os << indent << "MaximumAngle: " << this->MaximumAngle << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "NoiseFactor: " << this->NoiseFactor << "\n";
+  os << indent << "BoundaryEdges: " << this->BoundaryEdges << "\n";
+  os << indent << "NonManifoldEdges: " << this->NonManifoldEdges << "\n";
+  os << indent << "GapLength: " << this->GapLength << "\n";
+  os << indent << "TailLength: " << this->TailLength << "\n";
+  os << indent << "MinimumLength: " << this->MinimumLength << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "ResampleStep: " << this->ResampleStep << "\n";
+  os << indent << "FitPrimitives: " << this->FitPrimitives << "\n";
+  os << indent << "FitTolerance: " << this->FitTolerance << "\n";
 }

@@ -78,9 +78,8 @@ int vtkSharpThinningFilter::RequestData(
   arris::AddThinning(output, rounds, skeleton.Roles);
   arris::AddFieldValue(output, arris::array::ThinningSeconds, watch.Seconds());
 
-  constexpr double NeverTurns = 180.0;
   arris::FillPolylines(
-    skeletonOutput, arris::JoinEdges(skeleton.Edges(), mesh.Points, NeverTurns).Curves, output);
+    skeletonOutput, arris::JoinEdges(skeleton.Edges(), mesh.Points).Curves, output);
   return 1;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Curves.h"
 
+#include "EdgeGraph.h"
 #include "Geometry.h"
 
 #include <algorithm>
@@ -11,136 +12,180 @@ namespace arris
 {
 namespace
 {
-/// The edges as a graph over the vertices they use, numbered anew in ascending order.
-class EdgeGraph
+/// Splits a graph of edges into curves.
+class Splitter
 {
 public:
-  explicit EdgeGraph(const std::vector<std::array<Index, 2>>& edges)
+  Splitter(const std::vector<std::array<Index, 2>>& edges, const std::vector<Vec3>& points,
+    const CurveSplits& splits)
+    : Graph(edges)
+    , Points(points)
+    , Splits(splits)
+    , Used(edges.size(), 0)
+    , IsCorner(this->Graph.size(), 0)
   {
-    for (const auto& edge : edges)
-    {
-      this->Vertices.insert(this->Vertices.end(), edge.begin(), edge.end());
-    }
-    std::sort(this->Vertices.begin(), this->Vertices.end());
-    this->Vertices.erase(
-      std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
-
-    std::vector<std::array<Index, 3>> ends; // from, to, edge
-    ends.reserve(2 * edges.size());
-    for (std::size_t e = 0; e < edges.size(); ++e)
-    {
-      const Index a = this->Number(edges[e][0]);
-      const Index b = this->Number(edges[e][1]);
-      ends.push_back({ a, b, static_cast<Index>(e) });
-      ends.push_back({ b, a, static_cast<Index>(e) });
-    }
-    std::sort(ends.begin(), ends.end());
-    this->Offsets.assign(this->Vertices.size() + 1, 0);
-    for (const auto& end : ends)
-    {
-      ++this->Offsets[end[0] + 1];
-      this->To.push_back(end[1]);
-      this->Edge.push_back(end[2]);
-    }
-    for (std::size_t v = 0; v < this->Vertices.size(); ++v)
-    {
-      this->Offsets[v + 1] += this->Offsets[v];
-    }
-    this->Used.assign(edges.size(), 0);
   }
 
-  Index size() const { return static_cast<Index>(this->Vertices.size()); }
-  Index MeshVertex(Index node) const { return this->Vertices[node]; }
-  int Valence(Index node) const { return this->Offsets[node + 1] - this->Offsets[node]; }
-  Index Neighbor(Index node, int i) const { return this->To[this->Offsets[node] + i]; }
+  CurveNetwork Run()
+  {
+    this->FindJunctions();
+    if (this->Splits.CornerAngle < 180.0)
+    {
+      this->FindTurns();
+    }
+    return this->Collect();
+  }
+
+private:
+  void FindJunctions()
+  {
+    const std::vector<int>& sorts = this->Splits.Sorts;
+    for (Index node = 0; node < this->Graph.size(); ++node)
+    {
+      this->IsCorner[node] = this->Graph.Valence(node) != 2 ||
+          (!sorts.empty() && sorts[this->Graph.Edge(node, 0)] != sorts[this->Graph.Edge(node, 1)])
+        ? 1
+        : 0;
+    }
+  }
+
+  /// Marks the vertices where the curve turns, once the turns at all vertices are known.
+  void FindTurns()
+  {
+    std::vector<double> turns(this->Graph.size(), 0.0);
+    for (Index node = 0; node < this->Graph.size(); ++node)
+    {
+      turns[node] = this->IsCorner[node]
+        ? 0.0
+        : std::min(this->TurnAt(node, 0.0), this->TurnAt(node, this->Splits.Reach));
+    }
+    for (Index node = 0; node < this->Graph.size(); ++node)
+    {
+      this->IsCorner[node] |= turns[node] > this->Splits.CornerAngle ? 1 : 0;
+    }
+  }
+
+  /// Walks from a vertex of valence two towards one of its neighbours until a visitor has enough,
+  /// a corner, or the start again. The visitor sees each vertex and how far away it is.
+  template <typename Visit>
+  void Walk(Index start, int way, Visit&& visit) const
+  {
+    Index from = start;
+    Index node = this->Graph.Neighbor(start, way);
+    double length = 0.0;
+    while (true)
+    {
+      length += (this->At(node) - this->At(from)).norm();
+      if (!visit(node, length) || this->IsCorner[node] || node == start)
+      {
+        return;
+      }
+      const Index next = this->Graph.Neighbor(node, 0) == from ? this->Graph.Neighbor(node, 1)
+                                                               : this->Graph.Neighbor(node, 0);
+      from = node;
+      node = next;
+    }
+  }
+
+  /// The turn between the chords to where the curve is `reach` away.
+  double TurnAt(Index node, double reach) const
+  {
+    std::array<Vec3, 2> chords;
+    for (const int way : { 0, 1 })
+    {
+      this->Walk(node, way,
+        [&](Index reached, double length)
+        {
+          chords[way] = this->At(reached) - this->At(node);
+          return length < reach && reached != node;
+        });
+    }
+    const double length = chords[0].norm() * chords[1].norm();
+    return length > 0.0 ? AngleOfDifference(1.0 + std::max(-1.0, chords[0].dot(chords[1]) / length))
+                        : 0.0;
+  }
+
+  CurveNetwork Collect()
+  {
+    CurveNetwork network;
+    for (const bool fromCorners : { true, false })
+    {
+      for (Index node = 0; node < this->Graph.size(); ++node)
+      {
+        if ((this->IsCorner[node] != 0) != fromCorners)
+        {
+          continue;
+        }
+        if (fromCorners)
+        {
+          network.Corners.push_back({ this->Graph.MeshVertex(node), this->Graph.Valence(node) });
+        }
+        for (Curve curve = this->Follow(node); !curve.empty(); curve = this->Follow(node))
+        {
+          network.Curves.push_back(std::move(curve));
+        }
+      }
+    }
+    return network;
+  }
 
   /// Walks over one unused edge at the node; NoIndex if there is none.
   Index Step(Index node)
   {
-    for (Index i = this->Offsets[node]; i < this->Offsets[node + 1]; ++i)
+    for (int i = 0; i < this->Graph.Valence(node); ++i)
     {
-      if (!this->Used[this->Edge[i]])
+      unsigned char& used = this->Used[this->Graph.Edge(node, i)];
+      if (!used)
       {
-        this->Used[this->Edge[i]] = 1;
-        return this->To[i];
+        used = 1;
+        return this->Graph.Neighbor(node, i);
       }
     }
     return NoIndex;
   }
 
-private:
-  Index Number(Index vertex) const
+  /// Follows unused edges from the node up to the next corner, or back to the node.
+  Curve Follow(Index start)
   {
-    return static_cast<Index>(
-      std::lower_bound(this->Vertices.begin(), this->Vertices.end(), vertex) -
-      this->Vertices.begin());
+    Curve curve;
+    for (Index node = this->Step(start); node != NoIndex; node = this->Step(node))
+    {
+      if (curve.empty())
+      {
+        curve.push_back(this->Graph.MeshVertex(start));
+      }
+      curve.push_back(this->Graph.MeshVertex(node));
+      if (this->IsCorner[node] || node == start)
+      {
+        break;
+      }
+    }
+    return curve;
   }
 
-  std::vector<Index> Vertices;
-  std::vector<Index> Offsets, To, Edge;
-  Flags Used;
+  const Vec3& At(Index node) const { return this->Points[this->Graph.MeshVertex(node)]; }
+
+  const EdgeGraph Graph;
+  const std::vector<Vec3>& Points;
+  const CurveSplits& Splits;
+  Flags Used; // edges
+  Flags IsCorner; // nodes
 };
-
-/// Whether a curve that passes the node turns there by more than the angle of the cosine.
-bool Turns(const EdgeGraph& graph, const std::vector<Vec3>& points, Index node, double leastCosine)
-{
-  const Vec3& at = points[graph.MeshVertex(node)];
-  const Vec3 in = at - points[graph.MeshVertex(graph.Neighbor(node, 0))];
-  const Vec3 out = points[graph.MeshVertex(graph.Neighbor(node, 1))] - at;
-  const double length = in.norm() * out.norm();
-  return length > 0.0 && in.dot(out) < leastCosine * length;
-}
-
-/// Follows unused edges from the node up to the next corner, or back to the node.
-Curve Follow(EdgeGraph& graph, const Flags& isCorner, Index start)
-{
-  Curve curve;
-  for (Index node = graph.Step(start); node != NoIndex; node = graph.Step(node))
-  {
-    if (curve.empty())
-    {
-      curve.push_back(graph.MeshVertex(start));
-    }
-    curve.push_back(graph.MeshVertex(node));
-    if (isCorner[node] || node == start)
-    {
-      break;
-    }
-  }
-  return curve;
-}
 }
 
 CurveNetwork JoinEdges(const std::vector<std::array<Index, 2>>& edges,
-  const std::vector<Vec3>& points, double cornerAngle)
+  const std::vector<Vec3>& points, const CurveSplits& splits)
 {
-  EdgeGraph graph(edges);
-  CurveNetwork network;
-  Flags isCorner(graph.size());
-  const double leastCosine = cornerAngle < 180.0 ? std::cos(cornerAngle * Pi / 180.0) : -2.0;
-  for (Index node = 0; node < graph.size(); ++node)
+  return Splitter(edges, points, splits).Run();
+}
+
+double LengthOf(const Curve& curve, const std::vector<Vec3>& points)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i)
   {
-    isCorner[node] = graph.Valence(node) != 2 || Turns(graph, points, node, leastCosine) ? 1 : 0;
-    if (isCorner[node])
-    {
-      network.Corners.push_back({ graph.MeshVertex(node), graph.Valence(node) });
-    }
+    length += (points[curve[i + 1]] - points[curve[i]]).norm();
   }
-  for (const bool fromCorners : { true, false })
-  {
-    for (Index node = 0; node < graph.size(); ++node)
-    {
-      if ((isCorner[node] != 0) != fromCorners)
-      {
-        continue;
-      }
-      for (Curve curve = Follow(graph, isCorner, node); !curve.empty();
-           curve = Follow(graph, isCorner, node))
-      {
-        network.Curves.push_back(std::move(curve));
-      }
-    }
-  }
-  return network;
+  return length;
 }
 }

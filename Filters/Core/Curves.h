@@ -29,12 +29,32 @@ struct CurveNetwork
   std::vector<CurveCorner> Corners; ///< ascending by vertex
 };
 
-/// Joins edges (a, b) into curves that end at vertices whose number of edges is not two, and where
-/// the curve turns by more than `cornerAngle` (degrees; 180 for no such turns). Curves between
-/// corners come first, from the lowest corner on; then the closed ones, each from its lowest
-/// vertex.
+/// Where curves are split, other than at vertices whose number of edges is not two.
+struct CurveSplits
+{
+  /// Where a curve turns by more than this, in degrees; 180 for never.
+  double CornerAngle = 180.0;
+
+  /// The turn counts that is seen both between the edges at a vertex and between the chords to
+  /// where the curve is this long a way before and after: so a kink of a tiny edge is none, nor is
+  /// a tight arc. 0 looks at the edges at the vertex alone.
+  double Reach = 0.0;
+
+  /// A number for each edge: a curve is split where it changes. Empty: all are alike.
+  std::vector<int> Sorts = {};
+};
+
+/// Joins edges (a, b) into curves. Curves between corners come first, from the lowest corner on;
+/// then the closed ones, each from its lowest vertex.
 ARRISFILTERS_EXPORT CurveNetwork JoinEdges(const std::vector<std::array<Index, 2>>& edges,
-  const std::vector<Vec3>& points, double cornerAngle);
+  const std::vector<Vec3>& points, const CurveSplits& splits = {});
+
+inline bool IsClosed(const Curve& curve)
+{
+  return curve.size() > 2 && curve.front() == curve.back();
+}
+
+ARRISFILTERS_EXPORT double LengthOf(const Curve& curve, const std::vector<Vec3>& points);
 }
 
 #endif

@@ -20,6 +20,16 @@ double SquaredDistanceToSegment(const Vec3& point, const Vec3& a, const Vec3& b)
 }
 }
 
+double Diagonal(const Mesh& mesh)
+{
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : mesh.Points)
+  {
+    box.extend(point);
+  }
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
 double SquaredDistance(const Vec3& point, const Corners& triangle)
 {
   const Vec3 normal = triangle.AreaVector();

@@ -42,6 +42,9 @@ struct Corners
   Vec3 Centroid() const { return (this->A + this->B + this->C) / 3.0; }
 };
 
+/// The diagonal of the box around all points; 0 if there are none.
+ARRISFILTERS_EXPORT double Diagonal(const Mesh& mesh);
+
 /// The square of the distance from a point to a triangle: to the point set, not to the plane.
 ARRISFILTERS_EXPORT double SquaredDistance(const Vec3& point, const Corners& triangle);
 

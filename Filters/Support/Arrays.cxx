@@ -119,37 +119,6 @@ void AddThinning(
     output, array::SkeletonRole, [&](vtkIdType v) { return static_cast<unsigned char>(roles[v]); });
 }
 
-void AddCurveArrays(vtkPolyData* lines, const std::vector<Curve>& curves,
-  const std::vector<FeatureEdge>& sortedFeatures, const std::vector<Vec3>& points)
-{
-  const vtkIdType count = static_cast<vtkIdType>(curves.size());
-  vtkNew<vtkIntArray> ids;
-  vtkNew<vtkDoubleArray> angles;
-  vtkNew<vtkDoubleArray> lengths;
-  ids->SetName(array::CurveId);
-  angles->SetName(array::DihedralAngle);
-  lengths->SetName(array::CurveLength);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    double length = 0.0;
-    double angle = 0.0;
-    for (std::size_t j = 0; j + 1 < curves[i].size(); ++j)
-    {
-      const Index a = curves[i][j];
-      const Index b = curves[i][j + 1];
-      const double step = (points[b] - points[a]).norm();
-      length += step;
-      angle += step * FindFeature(sortedFeatures, a, b)->DihedralAngle;
-    }
-    ids->InsertNextValue(static_cast<int>(i));
-    lengths->InsertNextValue(length);
-    angles->InsertNextValue(length > 0.0 ? angle / length : 0.0);
-  }
-  lines->GetCellData()->AddArray(ids);
-  lines->GetCellData()->AddArray(angles);
-  lines->GetCellData()->AddArray(lengths);
-}
-
 void AddSurfaceIds(
   vtkPolyData* output, const std::vector<Index>& ids, const std::vector<vtkIdType>& cells)
 {

@@ -7,8 +7,6 @@
 #ifndef arris_Arrays_h
 #define arris_Arrays_h
 
-#include "Core/Curves.h"
-#include "Core/FeatureEdges.h"
 #include "Core/Skeleton.h"
 #include "Core/Types.h"
 
@@ -33,7 +31,28 @@ constexpr const char* SurfaceId = "SurfaceId";
 constexpr const char* DihedralAngle = "DihedralAngle";
 constexpr const char* CurveId = "CurveId";
 constexpr const char* CurveLength = "Length";
+constexpr const char* MinimumDihedralAngle = "MinimumDihedralAngle";
+constexpr const char* MaximumDihedralAngle = "MaximumDihedralAngle";
+constexpr const char* CurveKind = "CurveKind";
+constexpr const char* Closed = "Closed";
+constexpr const char* LeftSurfaceId = "LeftSurfaceId";
+constexpr const char* RightSurfaceId = "RightSurfaceId";
+constexpr const char* Tangent = "Tangent";
+constexpr const char* MeshPointId = "MeshPointId";
 constexpr const char* Valence = "Valence";
+constexpr const char* CurveIds = "CurveIds";
+constexpr const char* CornerKind = "CornerKind";
+constexpr const char* Tip = "Tip";
+constexpr const char* FaceArea = "Area";
+constexpr const char* FaceTriangles = "Triangles";
+constexpr const char* FaceBoundaryLoops = "BoundaryLoops";
+constexpr const char* FacePrimitive = "Primitive";
+constexpr const char* FacePoint = "Point";
+constexpr const char* FaceAxis = "Axis";
+constexpr const char* FaceRadius = "Radius";
+constexpr const char* FaceMinorRadius = "MinorRadius";
+constexpr const char* FaceHalfAngle = "HalfAngle";
+constexpr const char* FaceResidual = "Residual";
 constexpr const char* Lambda = "Lambda";
 constexpr const char* SharpAngle = "SharpAngle";
 constexpr const char* AverageEdgeLength = "AverageEdgeLength";
@@ -60,10 +79,6 @@ void AddClassification(vtkPolyData* output, const std::vector<double>& normalDif
 /// ThinningRound and SkeletonRole on points.
 void AddThinning(
   vtkPolyData* output, const std::vector<int>& rounds, const std::vector<SkeletonRole>& roles);
-
-/// CurveId, DihedralAngle (mean by length) and Length on the cells of `lines`, one a curve.
-void AddCurveArrays(vtkPolyData* lines, const std::vector<Curve>& curves,
-  const std::vector<FeatureEdge>& sortedFeatures, const std::vector<Vec3>& points);
 
 /// SurfaceId on cells, from the ids of triangles and the cells they are; NoIndex on all others.
 void AddSurfaceIds(

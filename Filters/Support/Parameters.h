@@ -27,6 +27,28 @@ constexpr double DefaultFeatureAngle = 30.0;
 /// Where a feature curve turns so much that it is split, in degrees.
 constexpr double DefaultCornerAngle = 60.0;
 
+/// Kinks of edges shorter than this, in average edge lengths, split no curve: they are small enough
+/// to be the mesh's, not the part's.
+constexpr double CornerReach = 0.25;
+
+/// Up to there a feature goes on where it ends, as a part of the feature angle.
+constexpr double DefaultContinuation = 0.5;
+
+/// Where the mesh folds up and down by more than an edge's angle over this, the edge may be noise:
+/// twice the largest angle, in that measure, of a hundred thousand edges of pure noise.
+constexpr double DefaultNoiseFactor = 20.0;
+
+/// Gaps that are closed and tails that are cut by themselves, in average edge lengths.
+constexpr double DefaultGap = 1.0;
+constexpr double DefaultTail = 2.0;
+
+/// Points on open edges that are nearer than this are one, as a part of the diagonal of the mesh's
+/// bounding box: ten times what single precision tells apart.
+constexpr double DefaultMergeTolerance = 1e-6;
+
+/// How near a shape must be to a face to fit it (RMS), in the face's mean edge lengths.
+constexpr double DefaultFitTolerance = 0.03;
+
 /// The window radius in units of length: as given, or by the ratio where none is given.
 inline double WindowRadius(double window, double ratio, double averageEdgeLength)
 {
@@ -67,6 +89,24 @@ inline std::string ProblemWithAngle(const char* name, double degrees)
       std::to_string(degrees);
   }
   return {};
+}
+
+/// What is wrong with a number that must not be below 0, or nothing.
+inline std::string ProblemWithSize(const char* name, double value)
+{
+  if (!(std::isfinite(value) && value >= 0.0))
+  {
+    return std::string(name) + " must be a number that is not negative; it is " +
+      std::to_string(value);
+  }
+  return {};
+}
+
+/// What is wrong with a length of which a negative one means that it is found automatically.
+inline std::string ProblemWithLength(const char* name, double value)
+{
+  return std::isfinite(value) ? std::string()
+                              : std::string(name) + " must be a length, or negative for automatic";
 }
 
 /// The first of some problems that is not empty; else what `check` says, which runs only then.

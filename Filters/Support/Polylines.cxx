@@ -3,10 +3,7 @@
 
 #include "Polylines.h"
 
-#include "Arrays.h"
-
 #include <vtkCellArray.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -58,23 +55,5 @@ void FillPolylines(vtkPolyData* lines, const std::vector<Curve>& curves, vtkPoly
     }
   }
   lines->SetLines(cells);
-}
-
-void FillCorners(vtkPolyData* vertices, const std::vector<CurveCorner>& corners, vtkPolyData* mesh)
-{
-  std::vector<Index> used;
-  vtkNew<vtkIntArray> valence;
-  valence->SetName(array::Valence);
-  vtkNew<vtkCellArray> cells;
-  for (const CurveCorner& corner : corners)
-  {
-    const vtkIdType point = static_cast<vtkIdType>(used.size());
-    cells->InsertNextCell(1, &point);
-    used.push_back(corner.Vertex);
-    valence->InsertNextValue(corner.Valence);
-  }
-  TakePoints(vertices, used, mesh);
-  vertices->GetPointData()->AddArray(valence);
-  vertices->SetVerts(cells);
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file Polylines.h
-/// Curves and corners of a mesh as polygonal data of their own.
+/// Curves on a mesh as polygonal data of their own.
 
 #ifndef arris_Polylines_h
 #define arris_Polylines_h
@@ -16,9 +16,6 @@ namespace arris
 /// Fills `lines` with one polyline a curve, on those points of `mesh` that the curves use, in the
 /// mesh's order, with these points' arrays.
 void FillPolylines(vtkPolyData* lines, const std::vector<Curve>& curves, vtkPolyData* mesh);
-
-/// Fills `vertices` with one vertex a corner, with its point's arrays and `Valence`.
-void FillCorners(vtkPolyData* vertices, const std::vector<CurveCorner>& corners, vtkPolyData* mesh);
 }
 
 #endif

@@ -97,13 +97,24 @@ plain_sharpening.Update()
 same(fetch(sharpening), plain_sharpening.GetOutput(), "Sharpening")
 
 extractor = simple.SharpEdgeExtractor(Input=sharpening)
-set_and_read(extractor, FeatureAngle=45.0, CornerAngle=90.0)
+set_and_read(extractor, FeatureAngle=45.0, ContinuationAngle=20.0, MaximumAngle=170.0,
+             CornerAngle=90.0, NoiseFactor=5.0, BoundaryEdges=0, NonManifoldEdges=0, GapLength=1.0,
+             TailLength=1.0, MinimumLength=1.0, MergeTolerance=0.5, ResampleStep=1.0,
+             FitPrimitives=0, FitTolerance=0.5)
 plain_extractor = arris.vtkSharpEdgeExtractor()
 plain_extractor.SetInputConnection(plain_sharpening.GetOutputPort())
 plain_extractor.Update()
 for port, name in enumerate(("Curves", "Corners", "Surfaces")):
     assert extractor.SMProxy.GetOutputPort(name).GetPortIndex() == port
     same(fetch(extractor, port), plain_extractor.GetOutput(port), f"Sharp Edge Extractor, {name}")
+assert extractor.SMProxy.GetOutputPort("Faces").GetPortIndex() == 3
+table, plain_table = fetch(extractor, 3), plain_extractor.GetFaces()
+assert table.GetNumberOfRows() == plain_table.GetNumberOfRows() > 0
+for i in range(plain_table.GetNumberOfColumns()):
+    ours = table.GetColumnByName(plain_table.GetColumnName(i))
+    for row in range(plain_table.GetNumberOfRows()):
+        theirs = plain_table.GetColumn(i).GetVariantValue(row)
+        assert ours.GetVariantValue(row) == theirs, (plain_table.GetColumnName(i), row)
 
 # And all in one, with the values that an enumeration shows.
 one_click = simple.SharpEdgeReconstruction(Input=contour)

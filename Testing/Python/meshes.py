@@ -4,8 +4,13 @@
 """Meshes for the Python tests."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.util.numpy_support import (
+    numpy_to_vtk,
+    numpy_to_vtkIdTypeArray,
+    vtk_to_numpy,
+)
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 
 
@@ -57,6 +62,28 @@ def bracket(samples):
 def box(samples):
     """The contour of a box."""
     return contour(lambda x, y, z: box_distance(*turned(x, y, z), (0.6, 0.5, 0.45)), samples)
+
+
+def triangles(corners):
+    """Triangles on three points of their own each, from an array of n x 3 x 3 coordinates."""
+    corners = numpy.asarray(corners, dtype=float)
+    positions = vtkPoints()
+    positions.SetData(numpy_to_vtk(corners.reshape(-1, 3), deep=True))
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtkIdTypeArray(numpy.arange(3 * len(corners)), deep=True))
+    mesh = vtkPolyData()
+    mesh.SetPoints(positions)
+    mesh.SetPolys(cells)
+    return mesh
+
+
+def soup(jitter=0.0):
+    """The unit cube as twelve triangles that share no points, each point up to `jitter` away."""
+    quads = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    cut = [(q[0], q[k], q[k + 1]) for q in quads for k in (1, 2)]
+    corners = numpy.array([[(v & 1, v >> 1 & 1, v >> 2) for v in t] for t in cut], dtype=float)
+    corners += jitter * numpy.linspace(0.0, 1.0, 36).reshape(12, 3, 1) / numpy.sqrt(3.0)
+    return triangles(corners)
 
 
 def points(data):

@@ -62,6 +62,7 @@ def curves(feature_angle=40.0):
     mesh = recovered(contour.GetOutput())
     extract = vtkSharpEdgeExtractor()
     extract.SetFeatureAngle(feature_angle)
+    extract.SetContinuationAngle(feature_angle)
     extract.SetInputData(mesh)
     extract.Update()
     lines = actor(extract.GetOutput(), (0.8, 0.05, 0.05))

@@ -16,6 +16,7 @@ from arris import (
 )
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 
 class Errors(unittest.TestCase):
@@ -33,8 +34,12 @@ class Errors(unittest.TestCase):
         self.assertEqual(len(heard), 1, heard)
         self.assertIn(about, heard[0])
         for port in range(filter_.GetNumberOfOutputPorts()):
-            self.assertEqual(filter_.GetOutput(port).GetNumberOfPoints(), 0)
-            self.assertEqual(filter_.GetOutput(port).GetNumberOfCells(), 0)
+            output = filter_.GetOutputDataObject(port)
+            if output.IsA("vtkTable"):
+                self.assertEqual(output.GetNumberOfRows(), 0)
+                continue
+            self.assertEqual(output.GetNumberOfPoints(), 0)
+            self.assertEqual(output.GetNumberOfCells(), 0)
 
     def test_a_point_that_is_no_number(self):
         for make in (vtkUSSODFilter, vtkSharpEdgeReconstruction, vtkSharpEdgeExtractor):
@@ -53,6 +58,19 @@ class Errors(unittest.TestCase):
                     filter_ = make()
                     getattr(filter_, "Set" + name)(bad)
                     self.assert_one_error(filter_, meshes.box(16), name)
+
+    def test_a_mesh_without_triangles_has_no_features(self):
+        self.assert_one_error(vtkSharpEdgeExtractor(), vtkPolyData(), "no triangles")
+
+    def test_triangles_that_share_nothing_have_no_features(self):
+        self.assert_one_error(vtkSharpEdgeExtractor(), meshes.soup(0.1), "MergeTolerance")
+
+    def test_angles_of_features_out_of_range(self):
+        for name, bad in (("FeatureAngle", 0), ("CornerAngle", 181), ("ContinuationAngle", 31)):
+            with self.subTest(name):
+                filter_ = vtkSharpEdgeExtractor()
+                getattr(filter_, "Set" + name)(bad)
+                self.assert_one_error(filter_, meshes.box(16), name)
 
     def test_a_value_of_the_wrong_type_is_refused_at_once(self):
         with self.assertRaises(TypeError):

@@ -23,7 +23,7 @@ class Ports(unittest.TestCase):
             vtkUSSODFilter: 1,
             vtkSharpThinningFilter: 2,
             vtkSharpeningFilter: 1,
-            vtkSharpEdgeExtractor: 3,
+            vtkSharpEdgeExtractor: 4,
             vtkSharpEdgeReconstruction: 1,
         }
         for kind, count in outputs.items():
@@ -37,6 +37,7 @@ class Ports(unittest.TestCase):
         extractor.Update()
         self.assertIs(extractor.GetCorners(), extractor.GetOutput(1))
         self.assertIs(extractor.GetSurfaces(), extractor.GetOutput(2))
+        self.assertIs(extractor.GetFaces(), extractor.GetOutputDataObject(3))
         thinning = vtkSharpThinningFilter()
         self.assertIs(thinning.GetSkeleton(), thinning.GetOutput(1))
 
@@ -66,7 +67,22 @@ class Properties(unittest.TestCase):
             vtkSharpEdgeReconstruction.PAPER,
         )
         self.check(vtkSharpEdgeExtractor, "FeatureAngle", 30.0, 20.0)
-        self.check(vtkSharpEdgeExtractor, "CornerAngle", 60.0, 90.0)
+        for name, default, other in (
+            ("CornerAngle", 60.0, 90.0),
+            ("ContinuationAngle", 0.0, 10.0),
+            ("MaximumAngle", 180.0, 170.0),
+            ("NoiseFactor", 20.0, 0.0),
+            ("BoundaryEdges", True, False),
+            ("NonManifoldEdges", True, False),
+            ("GapLength", -1.0, 0.5),
+            ("TailLength", -1.0, 0.5),
+            ("MinimumLength", 0.0, 0.5),
+            ("MergeTolerance", 1e-6, 1e-3),
+            ("ResampleStep", 0.0, 0.5),
+            ("FitPrimitives", True, False),
+            ("FitTolerance", 0.03, 0.1),
+        ):
+            self.check(vtkSharpEdgeExtractor, name, default, other)
 
     def test_setters_of_named_values(self):
         for make in (vtkUSSODFilter, vtkSharpEdgeReconstruction):

@@ -3,8 +3,7 @@
 
 #include "Core/Curves.h"
 
-#include "Core/FeatureEdges.h"
-#include "Meshes.h"
+#include "Features.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +16,7 @@ namespace
 {
 using Edges = std::vector<std::array<Index, 2>>;
 
-constexpr double NoTurns = 180.0;
+const CurveSplits NoTurns;
 
 /// Points one unit apart on the x axis.
 std::vector<Vec3> Line(Index count)
@@ -39,14 +38,15 @@ const Edges SquareEdges = { { 0, 1 }, { 0, 7 }, { 1, 2 }, { 2, 3 }, { 3, 4 }, { 
 
 TEST(Curves, OfNoEdges)
 {
-  const CurveNetwork network = JoinEdges({}, {}, 60.0);
+  const CurveNetwork network = JoinEdges({}, {}, { 60.0 });
   EXPECT_TRUE(network.Curves.empty());
   EXPECT_TRUE(network.Corners.empty());
 }
 
 TEST(Curves, JoinEdgesEndToEnd)
 {
-  const CurveNetwork network = JoinEdges({ { 1, 2 }, { 3, 4 }, { 0, 1 }, { 2, 3 } }, Line(5), 60.0);
+  const CurveNetwork network =
+    JoinEdges({ { 1, 2 }, { 3, 4 }, { 0, 1 }, { 2, 3 } }, Line(5), { 60.0 });
   ASSERT_EQ(network.Curves.size(), 1u);
   EXPECT_EQ(network.Curves[0], (Curve{ 0, 1, 2, 3, 4 }));
   ASSERT_EQ(network.Corners.size(), 2u);
@@ -65,7 +65,7 @@ TEST(Curves, AClosedOneNamesItsFirstVertexAgain)
 
 TEST(Curves, AreSplitWhereTheyTurn)
 {
-  const CurveNetwork network = JoinEdges(SquareEdges, SquarePoints, 60.0);
+  const CurveNetwork network = JoinEdges(SquareEdges, SquarePoints, { 60.0 });
   EXPECT_EQ(
     network.Curves, (std::vector<Curve>{ { 0, 1, 2 }, { 0, 7, 6 }, { 2, 3, 4 }, { 4, 5, 6 } }));
   ASSERT_EQ(network.Corners.size(), 4u);
@@ -78,8 +78,8 @@ TEST(Curves, AreSplitWhereTheyTurn)
 
 TEST(Curves, TurnOnlyByMoreThanTheAngle)
 {
-  EXPECT_EQ(JoinEdges(SquareEdges, SquarePoints, 89.0).Curves.size(), 4u);
-  EXPECT_EQ(JoinEdges(SquareEdges, SquarePoints, 91.0).Curves.size(), 1u);
+  EXPECT_EQ(JoinEdges(SquareEdges, SquarePoints, { 89.0 }).Curves.size(), 4u);
+  EXPECT_EQ(JoinEdges(SquareEdges, SquarePoints, { 91.0 }).Curves.size(), 1u);
 }
 
 TEST(Curves, EndWhereThreeMeet)
@@ -120,12 +120,8 @@ TEST(Curves, ClosedOnesComeAfterThoseBetweenCorners)
 TEST(Curves, OfABoxAreItsTwelveEdges)
 {
   const Mesh mesh = Box(3, 4, 5);
-  Edges edges;
-  for (const FeatureEdge& feature : FindFeatureEdges(mesh, Connectivity(mesh), 30.0, Monitor()))
-  {
-    edges.push_back({ feature.A, feature.B });
-  }
-  const CurveNetwork network = JoinEdges(edges, mesh.Points, 60.0);
+  const Edges edges = EndsOf(FeaturesAbove(mesh, 30.0));
+  const CurveNetwork network = JoinEdges(edges, mesh.Points, { 60.0 });
   EXPECT_EQ(network.Curves.size(), 12u);
   ASSERT_EQ(network.Corners.size(), 8u);
   std::set<std::pair<Index, Index>> used;
@@ -141,4 +137,50 @@ TEST(Curves, OfABoxAreItsTwelveEdges)
   {
     EXPECT_EQ(corner.Valence, 3);
   }
+}
+
+TEST(Curves, AKinkOfATinyEdgeIsNoTurnWithinReach)
+{
+  // One unit a step along x, but for a step of a tenth aside.
+  std::vector<Vec3> points = Line(10);
+  for (std::size_t i = 5; i < points.size(); ++i)
+  {
+    points[i] += Vec3(-1.0, 0.1, 0.0);
+  }
+  Edges edges;
+  for (Index i = 0; i + 1 < 10; ++i)
+  {
+    edges.push_back({ i, i + 1 });
+  }
+  EXPECT_EQ(JoinEdges(edges, points, { 60.0 }).Curves.size(), 3u) << "two turns by 90 degrees";
+  EXPECT_EQ(JoinEdges(edges, points, { 60.0, 1.0, {} }).Curves.size(), 1u);
+}
+
+TEST(Curves, ATightArcIsNoTurnHoweverFarTheReach)
+{
+  std::vector<Vec3> points;
+  Edges edges;
+  for (Index i = 0; i <= 24; ++i) // half a turn in steps of 7.5 degrees
+  {
+    points.emplace_back(std::cos(i * Pi / 24.0), std::sin(i * Pi / 24.0), 0.0);
+    if (i > 0)
+    {
+      edges.push_back({ i - 1, i });
+    }
+  }
+  EXPECT_EQ(JoinEdges(edges, points, { 60.0, 2.0, {} }).Curves.size(), 1u);
+}
+
+TEST(Curves, AreSplitWhereTheirSortChanges)
+{
+  const CurveNetwork network =
+    JoinEdges({ { 0, 1 }, { 1, 2 }, { 2, 3 } }, Line(4), { 180.0, 0.0, { 7, 7, 8 } });
+  EXPECT_EQ(network.Curves, (std::vector<Curve>{ { 0, 1, 2 }, { 2, 3 } }));
+}
+
+TEST(Curves, KnowTheirLength)
+{
+  EXPECT_EQ(LengthOf({ 0, 1, 2 }, Line(3)), 2.0);
+  EXPECT_TRUE(IsClosed({ 0, 1, 2, 0 }));
+  EXPECT_FALSE(IsClosed({ 0, 1, 2 }));
 }

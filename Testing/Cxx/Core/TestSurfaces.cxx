@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Arris developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Core/Surfaces.h"
-
-#include "Core/Geometry.h"
-#include "Meshes.h"
+#include "Features.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +13,7 @@ namespace
 std::vector<Index> Ids(const Mesh& mesh, double angle = 30.0)
 {
   const Connectivity connectivity(mesh);
-  return SurfaceIds(mesh, connectivity, FindFeatureEdges(mesh, connectivity, angle, Monitor()));
+  return FindSurfaces(mesh, connectivity, FeaturesAbove(mesh, angle)).Ids;
 }
 }
 
@@ -63,7 +60,7 @@ TEST(Surfaces, AFeatureThatEndsDividesNothing)
     const double share = std::min(1.0, mesh.Points[v].y() / 8.0);
     mesh.Points[v] += share * (flat[v] - mesh.Points[v]);
   }
-  ASSERT_FALSE(FindFeatureEdges(mesh, Connectivity(mesh), 30.0, Monitor()).empty());
+  ASSERT_FALSE(FeaturesAbove(mesh, 30.0).empty());
   EXPECT_EQ(Ids(mesh), std::vector<Index>(mesh.Triangles.size(), 0));
 }
 
@@ -75,4 +72,34 @@ TEST(Surfaces, PartsThatDoNotTouchAreDifferentOnes)
   const std::vector<Index> ids = Ids(mesh);
   EXPECT_EQ(ids.front(), 1) << "the smaller one";
   EXPECT_EQ(ids[first], 0);
+}
+
+TEST(Surfaces, AreMeasured)
+{
+  const FeatureMesh box(Box(5, 3, 2));
+  const std::vector<double> areas = { 15.0, 15.0, 10.0, 10.0, 6.0, 6.0 };
+  ASSERT_EQ(box.Faces.Measures.size(), areas.size());
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    EXPECT_DOUBLE_EQ(box.Faces.Measures[i].Area, areas[i]);
+    EXPECT_EQ(box.Faces.Measures[i].Triangles, static_cast<Index>(2.0 * areas[i]));
+    EXPECT_EQ(box.Faces.Measures[i].BoundaryLoops, 1);
+  }
+}
+
+TEST(Surfaces, CountTheLoopsAroundThem)
+{
+  EXPECT_EQ(FeatureMesh(Torus(4.0, 1.0, 40, 20)).Faces.Measures[0].BoundaryLoops, 0);
+  EXPECT_EQ(FeatureMesh(FlatGrid(3, 3)).Faces.Measures[0].BoundaryLoops, 1);
+  EXPECT_EQ(FeatureMesh(Tube(2.0, 40, 3, 1.0)).Faces.Measures[0].BoundaryLoops, 2);
+  // Also where the boundary is no feature; and a feature that divides nothing bounds nothing.
+  const Mesh fading = FadingFold(4, 12, 60.0, 8.0);
+  const Surfaces faces = FindSurfaces(fading, Connectivity(fading), FeaturesAbove(fading, 30.0));
+  ASSERT_EQ(faces.Measures.size(), 1u);
+  EXPECT_EQ(faces.Measures[0].BoundaryLoops, 1);
+}
+
+TEST(Surfaces, OfWingsOnANonManifoldEdgeAreTheWings)
+{
+  EXPECT_EQ(FeatureMesh(Wings(5)).Faces.Measures.size(), 5u);
 }

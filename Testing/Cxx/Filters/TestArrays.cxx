@@ -3,6 +3,8 @@
 
 #include "FilterTesting.h"
 
+#include <vtkTable.h>
+
 using namespace arris::testing;
 
 // Names, types and ranges of what the filters add: part of their interface.
@@ -148,11 +150,29 @@ TEST(Arrays, OfTheExtractor)
 {
   vtkNew<vtkSharpEdgeExtractor> filter;
   const auto curves = Execute(filter, RecoverByPaper(Contour(BoxSolid(), 24)));
+  const auto count = static_cast<double>(curves->GetNumberOfCells());
+  const auto points = static_cast<double>(filter->GetSurfaces()->GetNumberOfPoints());
+  const auto faces = static_cast<double>(filter->GetFaces()->GetNumberOfRows());
   vtkCellData* cells = curves->GetCellData();
-  ExpectArray(
-    cells, "CurveId", VTK_INT, 1, 0.0, static_cast<double>(curves->GetNumberOfCells() - 1));
-  ExpectArray(cells, "DihedralAngle", VTK_DOUBLE, 1, 30.0, 180.0);
+  ExpectArray(cells, "CurveId", VTK_INT, 1, 0.0, count - 1.0);
+  for (const char* name : { "DihedralAngle", "MinimumDihedralAngle", "MaximumDihedralAngle" })
+  {
+    ExpectArray(cells, name, VTK_DOUBLE, 1, 0.0, 180.0);
+  }
   ExpectArray(cells, "Length", VTK_DOUBLE, 1, 0.0, 20.0);
-  ExpectArray(filter->GetCorners()->GetPointData(), "Valence", VTK_INT, 1, 1.0, 20.0);
-  ExpectArray(filter->GetSurfaces()->GetCellData(), "SurfaceId", VTK_INT, 1, 0.0, 1e6);
+  ExpectArray(cells, "CurveKind", VTK_UNSIGNED_CHAR, 1, 0.0, 3.0);
+  ExpectArray(cells, "Closed", VTK_UNSIGNED_CHAR, 1, 0.0, 1.0);
+  ExpectArray(cells, "LeftSurfaceId", VTK_INT, 1, 0.0, faces - 1.0);
+  ExpectArray(cells, "RightSurfaceId", VTK_INT, 1, 0.0, faces - 1.0);
+  ExpectArray(curves->GetPointData(), "DihedralAngle", VTK_DOUBLE, 1, 0.0, 180.0);
+  ExpectArray(curves->GetPointData(), "Tangent", VTK_DOUBLE, 3, -1.0, 1.0);
+  ExpectArray(curves->GetPointData(), "MeshPointId", VTK_ID_TYPE, 1, 0.0, points - 1.0);
+  vtkPointData* corners = filter->GetCorners()->GetPointData();
+  ExpectArray(corners, "Valence", VTK_INT, 1, 0.0, 20.0);
+  const int largest = static_cast<int>(corners->GetArray("Valence")->GetRange()[1]);
+  ExpectArray(corners, "CurveIds", VTK_INT, largest, -1.0, count - 1.0);
+  ExpectArray(corners, "CornerKind", VTK_UNSIGNED_CHAR, 1, 0.0, 3.0);
+  ExpectArray(corners, "Tip", VTK_UNSIGNED_CHAR, 1, 0.0, 1.0);
+  ExpectArray(corners, "MeshPointId", VTK_ID_TYPE, 1, 0.0, points - 1.0);
+  ExpectArray(filter->GetSurfaces()->GetCellData(), "SurfaceId", VTK_INT, 1, 0.0, faces - 1.0);
 }

@@ -55,7 +55,13 @@ TEST_P(EmptyInput, LinesAlonePass)
   ExpectSameCells(this->MeshOutput()->GetLines(), lines, "lines");
 }
 
-TEST_P(EmptyInput, TrianglesWithoutSizeDoNotCrash)
+INSTANTIATE_TEST_SUITE_P(Filters, EmptyInput, FiltersOfMeshes(), FilterName);
+
+class EmptyTriangles : public EmptyInput
+{
+};
+
+TEST_P(EmptyTriangles, DoNotCrash)
 {
   vtkNew<vtkPoints> points; // all in one place
   for (int i = 0; i < 4; ++i)
@@ -84,4 +90,16 @@ TEST_P(EmptyInput, TrianglesWithoutSizeDoNotCrash)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Filters, EmptyInput, AllFilters(), FilterName);
+INSTANTIATE_TEST_SUITE_P(Filters, EmptyTriangles, AllFilters(), FilterName);
+
+TEST(EmptyPieces, OfAMeshInSeveralAreNoError)
+{
+  vtkNew<vtkSharpEdgeExtractor> filter;
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(filter);
+  vtkNew<vtkPolyData> nothing;
+  filter->SetInputData(nothing);
+  filter->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(errors->Count, 0) << errors->Text;
+  ExpectEmptyOutputs(filter);
+}

@@ -184,6 +184,57 @@ TEST(ErrorsOfParameters, OfTheExtractor)
   }
 }
 
+namespace
+{
+void ExpectExtractorErrors(void (*set)(vtkSharpEdgeExtractor*, double),
+  const std::vector<double>& bad, const std::string& about)
+{
+  const auto input = ReadyMesh(16);
+  for (const double value : bad)
+  {
+    vtkNew<vtkSharpEdgeExtractor> filter;
+    set(filter, value);
+    ExpectOneError(filter, input, about);
+  }
+}
+}
+
+TEST(ErrorsOfParameters, OfTheExtractorsSizes)
+{
+  using Filter = vtkSharpEdgeExtractor;
+  ExpectExtractorErrors([](Filter* filter, double value) { filter->SetContinuationAngle(value); },
+    { -1.0, 31.0, NotANumber }, "ContinuationAngle");
+  ExpectExtractorErrors([](Filter* filter, double value) { filter->SetMaximumAngle(value); },
+    { 29.0, 181.0, NotANumber }, "MaximumAngle");
+  const std::vector<double> bad = { -1.0, NotANumber, Infinite };
+  ExpectExtractorErrors(
+    [](Filter* filter, double value) { filter->SetNoiseFactor(value); }, bad, "NoiseFactor");
+  ExpectExtractorErrors(
+    [](Filter* filter, double value) { filter->SetMinimumLength(value); }, bad, "MinimumLength");
+  ExpectExtractorErrors(
+    [](Filter* filter, double value) { filter->SetMergeTolerance(value); }, bad, "MergeTolerance");
+  ExpectExtractorErrors(
+    [](Filter* filter, double value) { filter->SetResampleStep(value); }, bad, "ResampleStep");
+  ExpectExtractorErrors(
+    [](Filter* filter, double value) { filter->SetFitTolerance(value); }, bad, "FitTolerance");
+  ExpectExtractorErrors([](Filter* filter, double value) { filter->SetGapLength(value); },
+    { NotANumber, Infinite }, "GapLength");
+  ExpectExtractorErrors([](Filter* filter, double value) { filter->SetTailLength(value); },
+    { NotANumber, Infinite }, "TailLength");
+}
+
+TEST(ErrorsOfMeshes, WithoutTriangles)
+{
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkSharpEdgeExtractor> filter;
+  ExpectOneError(filter, nothing, "no triangles");
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  ExpectOneError(vtkSmartPointer<vtkSharpEdgeExtractor>::New(), cloud, "no triangles");
+}
+
 TEST(ErrorsOfParameters, AnUnusedRatioIsNotLookedAt)
 {
   vtkNew<vtkUSSODFilter> filter;

@@ -99,8 +99,8 @@ TEST_F(Extractor, FindsNothingAboveTheAngle)
 
 TEST_F(Extractor, SplitsWhereACurveTurnsUnlessToldNotTo)
 {
-  // Without its lid the cube's sides still meet the open rim, which is no feature; a lid alone,
-  // folded down, has one closed feature of four straight sides.
+  // A lid, folded down, has one closed feature of four straight sides, but for its open rim.
+  this->Filter->BoundaryEdgesOff();
   this->Cube->GetPolys()->Reset();
   const vtkIdType base[] = { 0, 2, 3, 1 };
   this->Cube->GetPolys()->InsertNextCell(4, base);
@@ -150,8 +150,17 @@ TEST_F(Extractor, DihedralAngleIsTheMeanByLength)
     cells->InsertNextCell(3, triangle);
   }
   mesh->SetPolys(cells);
+  this->Filter->BoundaryEdgesOff();
   const auto curves = Execute(this->Filter, mesh);
   ASSERT_EQ(curves->GetNumberOfLines(), 1);
   EXPECT_DOUBLE_EQ(Field(curves, "Length", 0), 4.0);
   EXPECT_NEAR(Field(curves, "DihedralAngle", 0), (3.0 * 90.0 + 1.0 * 45.0) / 4.0, 1e-4);
+  EXPECT_NEAR(Field(curves, "MinimumDihedralAngle", 0), 45.0, 1e-4);
+  EXPECT_NEAR(Field(curves, "MaximumDihedralAngle", 0), 90.0, 1e-4);
+  const double along[] = { 90.0, 67.5, 45.0 };
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(
+      curves->GetPointData()->GetArray("DihedralAngle")->GetComponent(i, 0), along[i], 1e-4);
+  }
 }

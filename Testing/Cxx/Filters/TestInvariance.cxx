@@ -181,6 +181,8 @@ TEST(InvarianceOfOrder, OfTheMovesThatFollowARegionsThinning)
 TEST(InvarianceOfOrder, OfTheFeatures)
 {
   const auto mesh = RecoverByPaper(DoubleContour(BoxSolid()));
+  mesh->GetPointData()
+    ->Initialize(); // as those of the shuffled mesh are, but the extractor uses them
   std::vector<vtkIdType> place;
   const auto shuffled = Shuffled(mesh, place);
   const auto lengthOf = [](vtkPolyData* input)

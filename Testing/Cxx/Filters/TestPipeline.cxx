@@ -130,4 +130,28 @@ TEST(Properties, OfTheExtractor)
     "FeatureAngle", &Filter::SetFeatureAngle, &Filter::GetFeatureAngle, 30.0, 20.0);
   ExpectProperty<Filter, double>(
     "CornerAngle", &Filter::SetCornerAngle, &Filter::GetCornerAngle, 60.0, 90.0);
+  ExpectProperty<Filter, double>(
+    "ContinuationAngle", &Filter::SetContinuationAngle, &Filter::GetContinuationAngle, 0.0, 20.0);
+  ExpectProperty<Filter, double>(
+    "MaximumAngle", &Filter::SetMaximumAngle, &Filter::GetMaximumAngle, 180.0, 170.0);
+  ExpectProperty<Filter, double>(
+    "NoiseFactor", &Filter::SetNoiseFactor, &Filter::GetNoiseFactor, 20.0, 5.0);
+  ExpectProperty<Filter, bool>(
+    "BoundaryEdges", &Filter::SetBoundaryEdges, &Filter::GetBoundaryEdges, true, false);
+  ExpectProperty<Filter, bool>(
+    "NonManifoldEdges", &Filter::SetNonManifoldEdges, &Filter::GetNonManifoldEdges, true, false);
+  ExpectProperty<Filter, double>(
+    "GapLength", &Filter::SetGapLength, &Filter::GetGapLength, -1.0, 0.1);
+  ExpectProperty<Filter, double>(
+    "TailLength", &Filter::SetTailLength, &Filter::GetTailLength, -1.0, 0.1);
+  ExpectProperty<Filter, double>(
+    "MinimumLength", &Filter::SetMinimumLength, &Filter::GetMinimumLength, 0.0, 0.1);
+  ExpectProperty<Filter, double>(
+    "MergeTolerance", &Filter::SetMergeTolerance, &Filter::GetMergeTolerance, 1e-6, 0.0);
+  ExpectProperty<Filter, double>(
+    "ResampleStep", &Filter::SetResampleStep, &Filter::GetResampleStep, 0.0, 0.1);
+  ExpectProperty<Filter, bool>(
+    "FitPrimitives", &Filter::SetFitPrimitives, &Filter::GetFitPrimitives, true, false);
+  ExpectProperty<Filter, double>(
+    "FitTolerance", &Filter::SetFitTolerance, &Filter::GetFitTolerance, 0.03, 0.1);
 }

@@ -34,6 +34,10 @@ TEST_P(Precision, OfThePointsStays)
     this->Filter->Update();
     for (int port = 0; port < this->Filter->GetNumberOfOutputPorts(); ++port)
     {
+      if (this->Filter->GetOutput(port) == nullptr)
+      {
+        continue; // a table
+      }
       ASSERT_GT(this->Filter->GetOutput(port)->GetNumberOfPoints(), 0) << "port " << port;
       EXPECT_EQ(this->Filter->GetOutput(port)->GetPoints()->GetDataType(), type) << "port " << port;
     }

@@ -31,7 +31,25 @@ std::vector<vtkSmartPointer<vtkPolyData>> AllOutputs(vtkPolyData* input)
     Execute(filter, input);
     for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
     {
-      outputs.push_back(Copy(filter->GetOutput(port)));
+      if (filter->GetOutput(port) != nullptr)
+      {
+        outputs.push_back(Copy(filter->GetOutput(port)));
+        continue;
+      }
+      // A table: its columns of numbers as field data.
+      const auto rows = vtkSmartPointer<vtkPolyData>::New();
+      vtkFieldData* columns = filter->GetOutputDataObject(port)->GetAttributes(vtkDataObject::ROW);
+      for (int i = 0; i < columns->GetNumberOfArrays(); ++i)
+      {
+        if (columns->GetArray(i) != nullptr)
+        {
+          rows->GetFieldData()->AddArray(columns->GetArray(i));
+        }
+      }
+      vtkNew<vtkPoints> one;
+      one->InsertNextPoint(0.0, 0.0, 0.0);
+      rows->SetPoints(one);
+      outputs.push_back(rows);
     }
   };
   for (const int search : { vtkUSSODFilter::CONNECTED, vtkUSSODFilter::SPATIAL })

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FeatureExtraction.h"
+
+#include "CurveProperties.h"
+
+namespace arris
+{
+namespace
+{
+/// Curves are not split where folds change from convex to concave, as those that fade do.
+std::vector<int> SortsOf(const std::vector<FeatureEdge>& edges)
+{
+  std::vector<int> sorts;
+  sorts.reserve(edges.size());
+  for (const FeatureEdge& edge : edges)
+  {
+    sorts.push_back(IsFold(edge.Kind) ? -1 : static_cast<int>(edge.Kind));
+  }
+  return sorts;
+}
+}
+
+bool ExtractFeatures(const Mesh& mesh, const Connectivity& connectivity,
+  const ExtractionParameters& parameters, const Monitor& monitor, FeatureSet& features)
+{
+  // How far the progress has come after each step, by its usual share of the time.
+  constexpr double Selected = 0.6;
+  constexpr double Cornered = 0.8;
+
+  if (!SelectFeatures(
+        mesh, connectivity, parameters.Criteria, monitor.Part(0.0, Selected), features.Edges))
+  {
+    return false;
+  }
+  features.Faces = FindSurfaces(mesh, connectivity, features.Edges);
+  features.Network = JoinEdges(EndsOf(features.Edges), mesh.Points,
+    { parameters.Criteria.Band.Turn, parameters.CornerReach, SortsOf(features.Edges) });
+  OrientCurves(features.Edges, features.Faces.Ids, features.Network.Curves);
+  if (!FindFeatureCorners(mesh, connectivity, features.Network, features.Edges,
+        parameters.Criteria.Band.Seed, monitor.Part(Selected, Cornered), features.Corners))
+  {
+    return false;
+  }
+  if (!parameters.FitShapes)
+  {
+    return monitor.Report(1.0);
+  }
+  const std::size_t faces = features.Faces.Measures.size();
+  features.Fits = FitFaces(mesh, features.Faces.Ids, static_cast<Index>(faces),
+    parameters.FitTolerance, monitor.Part(Cornered, 1.0));
+  return features.Fits.size() == faces;
+}
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FeatureSelection.h"
+
+#include "Gaps.h"
+#include "Noise.h"
+#include "Tails.h"
+
+namespace arris
+{
+bool SelectFeatures(const Mesh& mesh, const Connectivity& connectivity,
+  const FeatureCriteria& criteria, const Monitor& monitor, std::vector<FeatureEdge>& edges)
+{
+  constexpr double Folded = 0.7; // of the time, usually, when the folds are known
+  const Folds folds = FindFolds(mesh, connectivity, monitor.Part(0.0, Folded));
+  if (folds.Kinds.size() != mesh.Triangles.size())
+  {
+    return false;
+  }
+  const std::vector<FeatureEdge> candidates =
+    CandidateEdges(mesh, connectivity, folds, criteria.Band.Continuation);
+  const std::vector<double> angles = QuietAngles(
+    mesh, connectivity, folds, candidates, criteria.NoiseFactor, monitor.Part(Folded, 1.0));
+  if (angles.size() != candidates.size())
+  {
+    return false;
+  }
+  edges = ChooseEdges(candidates, angles, mesh.Points, criteria.Band, criteria.Boundary,
+    criteria.NonManifold, criteria.Likely);
+  CloseGaps(mesh, connectivity, folds, criteria.GapLength, edges);
+  CutTails(
+    mesh.Points, connectivity.OnBoundary, criteria.TailLength, criteria.MinimumLength, edges);
+  return true;
+}
+}

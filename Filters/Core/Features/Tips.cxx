@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Tips.h"
+
+#include "Core/Geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arris
+{
+namespace
+{
+/// A tip is so many times as curved as the vertices around it are on average: on a coarsely cut
+/// sphere, or in noise, they are alike.
+constexpr double Concentration = 4.0;
+
+/// The angle of a triangle at one of its corners, in radians.
+double AngleAt(const Mesh& mesh, Index t, Index vertex)
+{
+  const Triangle& triangle = mesh.Triangles[t];
+  const int corner = CornerOf(triangle, vertex);
+  const Vec3& at = mesh.Points[vertex];
+  const Vec3 u = mesh.Points[triangle[Next(corner)]] - at;
+  const Vec3 v = mesh.Points[triangle[Next(Next(corner))]] - at;
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+/// What the angles around each vertex lack to a full turn, in radians: the curvature it bears.
+/// 0 on the boundary.
+std::vector<double> AngleDefects(const Mesh& mesh, const Connectivity& connectivity)
+{
+  std::vector<double> defects(mesh.Points.size(), 0.0);
+  ParallelFor(mesh.VertexCount(),
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        const IndexSpan triangles = connectivity.TrianglesOfVertex[v];
+        if (!connectivity.OnBoundary[v] && !triangles.empty())
+        {
+          defects[v] = 2.0 * Pi;
+          for (const Index t : triangles)
+          {
+            defects[v] -= AngleAt(mesh, t, v);
+          }
+        }
+      }
+    });
+  return defects;
+}
+
+TipKind KindAt(const Mesh& mesh, const Connectivity& connectivity, Index v)
+{
+  Vec3 normal = Vec3::Zero();
+  for (const Index t : connectivity.TrianglesOfVertex[v])
+  {
+    normal += Corners(mesh, t).AreaVector();
+  }
+  double height = 0.0; // above the vertices around
+  for (const Index neighbor : connectivity.NeighborsOfVertex[v])
+  {
+    height += normal.dot(mesh.Points[v] - mesh.Points[neighbor]);
+  }
+  return height > 0.0 ? TipKind::Out : TipKind::In;
+}
+}
+
+std::vector<TipKind> FindTips(const Mesh& mesh, const Connectivity& connectivity,
+  const Flags& edged, double tipAngle, const Monitor& monitor)
+{
+  const std::vector<double> defects = AngleDefects(mesh, connectivity);
+  // Flanks that fold by an angle across the apex lean by half of it.
+  const double least = 2.0 * Pi * (1.0 - std::cos(0.5 * tipAngle * Pi / 180.0));
+  std::vector<TipKind> tips(mesh.Points.size(), TipKind::None);
+  const bool finished = ParallelFor(mesh.VertexCount(), monitor,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        if (edged[v] || defects[v] <= least)
+        {
+          continue;
+        }
+        const IndexSpan neighbors = connectivity.NeighborsOfVertex[v];
+        double sum = defects[v]; // of the disc around: no noise within it changes that
+        double around = 0.0;
+        for (const Index neighbor : neighbors)
+        {
+          sum += edged[neighbor] ? 0.0 : defects[neighbor];
+          around += edged[neighbor] ? 0.0 : std::abs(defects[neighbor]);
+        }
+        if (sum > least && defects[v] * neighbors.size() > Concentration * around)
+        {
+          tips[v] = KindAt(mesh, connectivity, v);
+        }
+      }
+    });
+  return finished ? tips : std::vector<TipKind>();
+}
+}

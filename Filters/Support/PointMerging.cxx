@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PointMerging.h"
+
+#include "Core/Geometry.h"
+
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStaticPointLocator.h>
+
+#include <algorithm>
+
+namespace arris
+{
+namespace
+{
+/// The ends of edges with one triangle, ascending.
+std::vector<Index> OpenVertices(const Surface& surface)
+{
+  std::vector<Index> open;
+  for (std::size_t t = 0; t < surface.Triangulation.Triangles.size(); ++t)
+  {
+    const Triangle& triangle = surface.Triangulation.Triangles[t];
+    for (int k = 0; k < 3; ++k)
+    {
+      if (surface.Adjacency.AcrossEdge[t][k] == NoIndex)
+      {
+        open.push_back(triangle[k]);
+        open.push_back(triangle[Next(k)]);
+      }
+    }
+  }
+  std::sort(open.begin(), open.end());
+  open.erase(std::unique(open.begin(), open.end()), open.end());
+  return open;
+}
+
+/// For each of some vertices the lowest one of those it is merged with.
+std::vector<Index> MergedWith(
+  const std::vector<Vec3>& points, const std::vector<Index>& vertices, double distance)
+{
+  const auto count = static_cast<vtkIdType>(vertices.size());
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  positions->SetNumberOfPoints(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    positions->SetPoint(i, points[vertices[i]].data());
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(positions);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  std::vector<vtkIdType> group(vertices.size());
+  locator->MergePoints(distance, group.data());
+
+  // The locator's choice for a group may depend on threads; its lowest vertex does not.
+  std::vector<Index> lowest(vertices.size(), NoIndex);
+  std::vector<Index> merged(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    Index& low = lowest[group[i]];
+    low = low == NoIndex ? vertices[i] : low;
+    merged[i] = low;
+  }
+  return merged;
+}
+}
+
+void MergeOpenPoints(double tolerance, Surface& surface)
+{
+  const std::vector<Index> open = OpenVertices(surface);
+  if (open.empty())
+  {
+    return;
+  }
+  Mesh& mesh = surface.Triangulation;
+  const std::vector<Index> merged = MergedWith(mesh.Points, open, tolerance * Diagonal(mesh));
+  if (merged == open)
+  {
+    return;
+  }
+  std::vector<Index> becomes(mesh.Points.size());
+  for (Index v = 0; v < mesh.VertexCount(); ++v)
+  {
+    becomes[v] = v;
+  }
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    becomes[open[i]] = merged[i];
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    const Triangle& old = mesh.Triangles[t];
+    const Triangle triangle{ becomes[old[0]], becomes[old[1]], becomes[old[2]] };
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+    {
+      mesh.Triangles[kept] = triangle;
+      surface.Cells[kept] = surface.Cells[t];
+      ++kept;
+    }
+  }
+  mesh.Triangles.resize(kept);
+  surface.Cells.resize(kept);
+  surface.Adjacency = Connectivity(mesh);
+  surface.AverageEdgeLength = AverageEdgeLength(mesh, surface.Adjacency);
+}
+
+bool IsSoup(const Surface& surface)
+{
+  const auto& across = surface.Adjacency.AcrossEdge;
+  return across.size() > 1 &&
+    std::all_of(across.begin(), across.end(),
+      [](const std::array<Index, 3>& next)
+      { return next[0] == NoIndex && next[1] == NoIndex && next[2] == NoIndex; });
+}
+}
