@@ -9,6 +9,7 @@
 #include "CurveCoverage.h"
 #include "DataFolder.h"
 #include "Failure.h"
+#include "FeatureStage.h"
 #include "InOut.h"
 #include "MeshFiles.h"
 #include "Picture.h"

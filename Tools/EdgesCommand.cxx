@@ -3,11 +3,13 @@
 
 #include "Commands.h"
 
+#include "FeatureFiles.h"
 #include "InOut.h"
 #include "MeshFiles.h"
 #include "Picture.h"
 #include "Session.h"
 #include "Stages.h"
+#include "Validators.h"
 
 #include <vtkPolyData.h>
 
@@ -20,6 +22,7 @@ struct EdgesOptions
   std::string Input;
   std::string Output;
   std::string Corners;
+  std::string Faces;
   std::string Picture;
   FeatureOptions Features;
   SessionOptions Common;
@@ -27,10 +30,14 @@ struct EdgesOptions
 
 void Edges(const EdgesOptions& options)
 {
-  CheckMeshOutput(options.Output, Content::Curves);
+  CheckCurvesOutput(options.Output);
   if (!options.Corners.empty())
   {
-    CheckMeshOutput(options.Corners, Content::Curves);
+    CheckCornersOutput(options.Corners);
+  }
+  if (!options.Faces.empty())
+  {
+    CheckFacesOutput(options.Faces);
   }
   if (!options.Picture.empty())
   {
@@ -45,17 +52,25 @@ void Edges(const EdgesOptions& options)
     const auto timer = session.Time("read");
     mesh = ReadMesh(options.Input, session.Progress);
   }
-  const Features found = FindFeatures(session, mesh, options.Input, options.Features);
+  FeatureOptions features = options.Features;
+  features.FitPrimitives = !options.Faces.empty();
+  session.Report["parameters"]["resample"] = features.ResampleStep;
+  const Features found = FindFeatures(session, mesh, options.Input, features);
   ReportMesh(session, mesh, options.Input);
   ReportFeatures(session, found);
   {
     const auto timer = session.Time("write");
-    WriteMesh(found.Curves, options.Output, session.Progress);
+    WriteCurves(found, options.Output, session.Progress);
     session.Say("wrote " + options.Output);
     if (!options.Corners.empty())
     {
-      WriteMesh(found.Corners, options.Corners, session.Progress);
+      WriteCorners(found, options.Corners, session.Progress);
       session.Say("wrote " + options.Corners);
+    }
+    if (!options.Faces.empty())
+    {
+      WriteFaces(found, options.Faces);
+      session.Say("wrote " + options.Faces);
     }
   }
   session.WriteReport();
@@ -63,7 +78,7 @@ void Edges(const EdgesOptions& options)
   {
     session.Draw(options.Picture,
       [&] {
-        DrawPicture(options.Picture, { { "", mesh, found.Curves, found.Corners } });
+        DrawPicture(options.Picture, { { "", mesh, found.Curves, found.Corners, true } });
       });
     session.Say("drew " + options.Picture);
   }
@@ -76,14 +91,28 @@ Command AddEdges(CLI::App& program)
   CLI::App* command =
     program.add_subcommand("edges", "Extract the sharp feature curves of a mesh, and its corners");
   AddInput(*command, options->Input, MeshInput);
-  AddOutput(*command, options->Output, "Where the curves go: .vtp, .vtk or .obj");
-  command->add_option("--corners", options->Corners, "Where the corners go: .vtp, .vtk or .obj")
+  AddOutput(*command, options->Output,
+    "Where the curves go: .vtp or .vtk with all arrays; .obj;\n.eMesh (OpenFOAM); .csv with a row "
+    "a curve");
+  command
+    ->add_option("--corners", options->Corners, "Where the corners go: .vtp, .vtk, .obj or .csv")
     ->type_name("FILE");
+  command
+    ->add_option(
+      "--faces", options->Faces, "Where the table of the faces and their shapes goes: .csv")
+    ->type_name("FILE");
+  command
+    ->add_option("--resample", options->Features.ResampleStep,
+      "Put the curves' points at about this distance (default:\nthe mesh's own points)")
+    ->check(Positive())
+    ->type_name("STEP");
   AddFeatureOptions(*command, options->Features);
   AddPicture(*command, options->Picture, "Draw the mesh with its curves; needs an X display");
   AddSessionOptions(*command, options->Common);
-  command->footer("Example:\n"
-                  "  arris edges sharp.ply -o curves.vtp --corners corners.vtp --feature-angle 20");
+  command->footer("Examples:\n"
+                  "  arris edges part.stl -o curves.vtp --picture curves.png\n"
+                  "  arris edges part.stl -o part.eMesh --feature-angle 20\n"
+                  "  arris edges part.stl -o curves.csv --corners corners.csv --faces faces.csv");
   return { command, [options] { Edges(*options); } };
 }
 }

@@ -245,7 +245,8 @@ void CheckMeshOutput(const std::string& path, Content content)
   }
   if (content == Content::Curves && !holdsArrays && extension != ".obj")
   {
-    throw Failure(path, extension + " files cannot hold curves", "use .vtp, .vtk or .obj");
+    throw Failure(
+      path, extension + " files cannot hold curves", "use .vtp, .vtk, .obj, .csv or .eMesh");
   }
   CheckWritable(path);
 }

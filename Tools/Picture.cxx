@@ -8,11 +8,17 @@
 #include "Failure.h"
 #include "InputFile.h"
 
+#include "Support/Arrays.h"
+
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkLightKit.h>
+#include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -54,6 +60,45 @@ vtkSmartPointer<vtkActor> ActorOf(vtkPolyData* data, const Colour& colour)
   return actor;
 }
 
+/// Colours that are told from each other, and from the mesh: of the first curve, the next ...
+constexpr Colour CurvePalette[] = { { 0.84, 0.15, 0.16 }, { 0.12, 0.38, 0.78 },
+  { 0.95, 0.50, 0.05 }, { 0.15, 0.55, 0.20 }, { 0.55, 0.25, 0.70 }, { 0.00, 0.60, 0.65 },
+  { 0.85, 0.30, 0.60 }, { 0.50, 0.33, 0.20 }, { 0.70, 0.65, 0.05 } };
+
+/// Of convex corners, concave ones, saddles, and those without folded edges.
+constexpr Colour CornerPalette[] = { { 0.05, 0.05, 0.10 }, { 1.0, 1.0, 1.0 }, { 1.0, 0.85, 0.0 },
+  { 0.45, 0.45, 0.50 } };
+
+/// Colours cells or points by a number they have.
+template <std::size_t Count>
+void ColourByNumber(
+  vtkActor* actor, const char* array, bool ofCells, const Colour (&palette)[Count])
+{
+  vtkMapper* mapper = actor->GetMapper();
+  auto* data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  vtkDataArray* numbers =
+    ofCells ? data->GetCellData()->GetArray(array) : data->GetPointData()->GetArray(array);
+  if (numbers == nullptr || numbers->GetNumberOfTuples() == 0)
+  {
+    return;
+  }
+  const double largest = std::max(1.0, numbers->GetRange()[1]);
+  vtkNew<vtkLookupTable> colours;
+  colours->SetNumberOfTableValues(static_cast<vtkIdType>(largest) + 1);
+  colours->SetTableRange(0.0, largest);
+  for (vtkIdType i = 0; i < colours->GetNumberOfTableValues(); ++i)
+  {
+    const Colour& colour = palette[i % Count];
+    colours->SetTableValue(i, colour[0], colour[1], colour[2]);
+  }
+  mapper->ScalarVisibilityOn();
+  mapper->SetColorModeToMapScalars(); // else bytes are taken for colours
+  ofCells ? mapper->SetScalarModeToUseCellFieldData() : mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(array);
+  mapper->SetLookupTable(colours);
+  mapper->UseLookupTableScalarRangeOn();
+}
+
 /// Lines and points lie in the surface; they are to win over it.
 void DrawInFront(vtkActor* actor)
 {
@@ -73,14 +118,22 @@ void Fill(vtkRenderer* renderer, const Scene& scene)
   if (scene.Curves != nullptr)
   {
     const auto curves = ActorOf(scene.Curves, CurveRed);
-    curves->GetProperty()->SetLineWidth(3.0F);
+    curves->GetProperty()->SetLineWidth(scene.ByNumber ? 5.0F : 3.0F);
+    if (scene.ByNumber)
+    {
+      ColourByNumber(curves, array::CurveId, true, CurvePalette);
+    }
     DrawInFront(curves);
     renderer->AddActor(curves);
   }
   if (scene.Corners != nullptr)
   {
     const auto corners = ActorOf(scene.Corners, CornerBlue);
-    corners->GetProperty()->SetPointSize(8.0F);
+    corners->GetProperty()->SetPointSize(scene.ByNumber ? 12.0F : 8.0F);
+    if (scene.ByNumber)
+    {
+      ColourByNumber(corners, array::CornerKind, false, CornerPalette);
+    }
     corners->GetProperty()->RenderPointsAsSpheresOn();
     DrawInFront(corners);
     renderer->AddActor(corners);

@@ -34,6 +34,7 @@ struct Scene
   vtkPolyData* Mesh; ///< flat shaded, so that every triangle is seen
   vtkPolyData* Curves = nullptr; ///< drawn over the mesh
   vtkPolyData* Corners = nullptr; ///< drawn over the mesh
+  bool ByNumber = false; ///< each curve in a colour of its own, corners by kind
   View Eye = View();
 };
 

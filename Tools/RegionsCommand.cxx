@@ -3,6 +3,7 @@
 
 #include "Commands.h"
 
+#include "FeatureFiles.h"
 #include "InOut.h"
 #include "MeshFiles.h"
 #include "Session.h"
@@ -18,6 +19,7 @@ struct RegionsOptions
 {
   std::string Input;
   std::string Output;
+  std::string Faces;
   FeatureOptions Features;
   SessionOptions Common;
 };
@@ -25,6 +27,10 @@ struct RegionsOptions
 void Regions(const RegionsOptions& options)
 {
   CheckMeshOutput(options.Output, Content::MeshWithArrays);
+  if (!options.Faces.empty())
+  {
+    CheckFacesOutput(options.Faces);
+  }
   Session session("regions", options.Common);
   session.Report["input"] = options.Input;
   session.Report["output"] = options.Output;
@@ -34,14 +40,21 @@ void Regions(const RegionsOptions& options)
     const auto timer = session.Time("read");
     mesh = ReadMesh(options.Input, session.Progress);
   }
-  const Features found = FindFeatures(session, mesh, options.Input, options.Features);
+  FeatureOptions features = options.Features;
+  features.FitPrimitives = !options.Faces.empty();
+  const Features found = FindFeatures(session, mesh, options.Input, features);
   ReportMesh(session, mesh, options.Input);
   ReportFeatures(session, found);
   {
     const auto timer = session.Time("write");
     WriteMesh(found.Surfaces, options.Output, session.Progress);
+    session.Say("wrote " + options.Output);
+    if (!options.Faces.empty())
+    {
+      WriteFaces(found, options.Faces);
+      session.Say("wrote " + options.Faces);
+    }
   }
-  session.Say("wrote " + options.Output);
   session.WriteReport();
 }
 }
@@ -53,10 +66,14 @@ Command AddRegions(CLI::App& program)
     "regions", "Number the smooth faces between the feature curves of a mesh: array SurfaceId");
   AddInput(*command, options->Input, MeshInput);
   AddOutput(*command, options->Output, "Where to: .vtp or .vtk, which hold arrays");
+  command
+    ->add_option(
+      "--faces", options->Faces, "Where the table of the faces and their shapes goes: .csv")
+    ->type_name("FILE");
   AddFeatureOptions(*command, options->Features);
   AddSessionOptions(*command, options->Common);
   command->footer("Example:\n"
-                  "  arris regions sharp.ply -o faces.vtp --feature-angle 20");
+                  "  arris regions sharp.ply -o faces.vtp --faces faces.csv");
   return { command, [options] { Regions(*options); } };
 }
 }

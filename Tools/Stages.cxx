@@ -7,22 +7,16 @@
 #include "Failure.h"
 #include "Session.h"
 #include "Text.h"
-#include "Validators.h"
 
 #include "Support/Arrays.h"
-#include "Support/Parameters.h"
-#include "vtkSharpEdgeExtractor.h"
 #include "vtkSharpEdgeReconstruction.h"
 #include "vtkUSSODFilter.h"
 
-#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,19 +26,6 @@ namespace arris
 namespace
 {
 using Json = Session::Json;
-
-void Run(Session& session, vtkAlgorithm* filter, const std::string& stage, const std::string& name)
-{
-  const ErrorCapture capture;
-  session.Progress.Follow(stage, filter);
-  filter->Update();
-  session.Progress.Clear();
-  const std::string cause = capture.FirstError();
-  if (!cause.empty())
-  {
-    throw Failure(name, cause, "repair the mesh first");
-  }
-}
 
 template <typename Filter>
 void SetClassification(Filter* filter, const ClassificationOptions& options)
@@ -160,28 +141,18 @@ void ReportDisplacement(Session& session, vtkPolyData* mesh)
 }
 }
 
-FeatureOptions::FeatureOptions()
-  : FeatureAngle(DefaultFeatureAngle)
-  , CornerAngle(DefaultCornerAngle)
+void RunStage(
+  Session& session, vtkAlgorithm* filter, const std::string& stage, const std::string& name)
 {
-}
-
-void AddFeatureOptions(CLI::App& command, FeatureOptions& options)
-{
-  command
-    .add_option("--feature-angle", options.FeatureAngle,
-      "Edges whose triangles' normals differ by more are\nfeatures (default " +
-        Number(options.FeatureAngle) + ")")
-    ->check(Angle())
-    ->type_name("DEGREES")
-    ->group("Features");
-  command
-    .add_option("--corner-angle", options.CornerAngle,
-      "Curves that turn by more are split there\n(default " + Number(options.CornerAngle) +
-        "; 180 for never)")
-    ->check(Angle())
-    ->type_name("DEGREES")
-    ->group("Features");
+  const ErrorCapture capture;
+  session.Progress.Follow(stage, filter);
+  filter->Update();
+  session.Progress.Clear();
+  const std::string cause = capture.FirstError();
+  if (!cause.empty())
+  {
+    throw Failure(name, cause, "repair the mesh first");
+  }
 }
 
 void ReportMesh(Session& session, vtkPolyData* mesh, const std::string& name)
@@ -198,7 +169,7 @@ vtkSmartPointer<vtkPolyData> Classify(Session& session, vtkPolyData* mesh, const
   vtkNew<vtkUSSODFilter> filter;
   filter->SetInputData(mesh);
   SetClassification(filter.Get(), options);
-  Run(session, filter, "classifying", name);
+  RunStage(session, filter, "classifying", name);
   const vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   TakeSeconds(session, result);
   ReportMesh(session, result, name);
@@ -216,7 +187,7 @@ vtkSmartPointer<vtkPolyData> Recover(
                                               : vtkSharpEdgeReconstruction::ROBUST);
   SetClassification(filter.Get(), options);
   session.Report["parameters"]["method"] = options.Method;
-  Run(session, filter, "recovering", name);
+  RunStage(session, filter, "recovering", name);
   const vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   TakeSeconds(session, result);
   ReportMesh(session, result, name);
@@ -234,41 +205,5 @@ vtkSmartPointer<vtkPolyData> Recover(
   ReportSkeleton(session, result);
   ReportDisplacement(session, result);
   return result;
-}
-
-Features FindFeatures(
-  Session& session, vtkPolyData* mesh, const std::string& name, const FeatureOptions& options)
-{
-  const auto timer = session.Time("extraction");
-  vtkNew<vtkSharpEdgeExtractor> filter;
-  filter->SetInputData(mesh);
-  filter->SetFeatureAngle(options.FeatureAngle);
-  filter->SetCornerAngle(options.CornerAngle);
-  session.Report["parameters"]["feature_angle"] = options.FeatureAngle;
-  session.Report["parameters"]["corner_angle"] = options.CornerAngle;
-  Run(session, filter, "extracting", name);
-  return { filter->GetOutput(), filter->GetCorners(), filter->GetSurfaces() };
-}
-
-void ReportFeatures(Session& session, const Features& found)
-{
-  vtkDataArray* lengths = found.Curves->GetCellData()->GetArray(array::CurveLength);
-  double length = 0.0;
-  for (vtkIdType i = 0; lengths != nullptr && i < lengths->GetNumberOfTuples(); ++i)
-  {
-    length += lengths->GetComponent(i, 0);
-  }
-  vtkDataArray* ids = found.Surfaces->GetCellData()->GetArray(array::SurfaceId);
-  const vtkIdType surfaces =
-    ids != nullptr && ids->GetNumberOfTuples() > 0 ? vtkIdType(ids->GetRange()[1]) + 1 : 0;
-  Json& counts = session.Report["counts"];
-  counts["curves"] = found.Curves->GetNumberOfCells();
-  counts["corners"] = found.Corners->GetNumberOfPoints();
-  counts["surfaces"] = surfaces;
-  session.Report["curve_length"] = length;
-  session.Say("features: " + Count(found.Curves->GetNumberOfCells(), "curve", "curves") +
-    " of length " + Number(length, 6) + ", " +
-    Count(found.Corners->GetNumberOfPoints(), "corner", "corners") + ", " +
-    Count(surfaces, "surface", "surfaces"));
 }
 }

@@ -14,11 +14,16 @@
 
 #include <string>
 
+class vtkAlgorithm;
 class vtkPolyData;
 
 namespace arris
 {
 class Session;
+
+/// Updates a filter; its error, if it has one, as a Failure. `name` is what messages call the mesh.
+void RunStage(
+  Session& session, vtkAlgorithm* filter, const std::string& stage, const std::string& name);
 
 /// Says how large the mesh is.
 void ReportMesh(Session& session, vtkPolyData* mesh, const std::string& name);
@@ -30,32 +35,6 @@ vtkSmartPointer<vtkPolyData> Classify(Session& session, vtkPolyData* mesh, const
 /// vtkSharpEdgeReconstruction.
 vtkSmartPointer<vtkPolyData> Recover(
   Session& session, vtkPolyData* mesh, const std::string& name, const RecoveryOptions& options);
-
-/// What vtkSharpEdgeExtractor finds.
-struct Features
-{
-  vtkSmartPointer<vtkPolyData> Curves;
-  vtkSmartPointer<vtkPolyData> Corners;
-  vtkSmartPointer<vtkPolyData> Surfaces;
-};
-
-struct FeatureOptions
-{
-  double FeatureAngle;
-  double CornerAngle;
-
-  FeatureOptions();
-};
-
-/// --feature-angle, --corner-angle.
-void AddFeatureOptions(CLI::App& command, FeatureOptions& options);
-
-/// vtkSharpEdgeExtractor.
-Features FindFeatures(
-  Session& session, vtkPolyData* mesh, const std::string& name, const FeatureOptions& options);
-
-/// Says what was found.
-void ReportFeatures(Session& session, const Features& found);
 }
 
 #endif

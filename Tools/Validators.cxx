@@ -32,6 +32,11 @@ CLI::Validator Positive()
   return NumberThat("a number greater than 0", [](double value) { return value > 0.0; });
 }
 
+CLI::Validator NotNegative()
+{
+  return NumberThat("a number that is not negative", [](double value) { return value >= 0.0; });
+}
+
 CLI::Validator Angle()
 {
   return NumberThat("an angle greater than 0 and at most 180 degrees",

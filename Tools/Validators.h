@@ -20,6 +20,9 @@ CLI::Validator Finite();
 /// Accepts finite numbers above 0.
 CLI::Validator Positive();
 
+/// Accepts finite numbers from 0 on.
+CLI::Validator NotNegative();
+
 /// Accepts degrees above 0, at most 180.
 CLI::Validator Angle();
 

@@ -171,11 +171,21 @@ class Failures(ProgramTest):
         for command, text in (
             ("classify", "x.ply: .ply files cannot hold arrays"),
             ("regions", "x.ply: .ply files cannot hold arrays"),
-            ("edges", "x.ply: .ply files cannot hold curves; use .vtp, .vtk or .obj"),
+            ("edges", "x.ply: .ply files cannot hold curves; use .vtp, .vtk, .obj, .csv or .eMesh"),
         ):
             self.assert_fails(text, command, "box.vtp", "-o", "x.ply")
+        text = "x.vtp: is no table format that Arris writes; use .csv"
+        for command in ("edges", "regions"):
+            self.assert_fails(text, command, "box.vtp", "-o", "y.vtp", "--faces", "x.vtp")
         text = "x.jpg: is not a picture format that Arris writes; use .png"
         self.assert_fails(text, "edges", "box.vtp", "-o", "x.vtp", "--picture", "x.jpg")
+
+    def test_triangles_that_share_nothing(self):
+        self.write("soup.ply", meshes.soup(0.1))
+        text = "soup.ply: no two triangles share an edge"
+        for command in ("edges", "regions"):
+            self.assert_fails(text, command, "soup.ply", "-o", "x.vtp")
+        self.assert_done("edges", "soup.ply", "-o", "x.vtp", "--merge-tolerance", "0.2")
 
     def test_json_is_not_written_on_failure(self):
         self.write("old.json", "{}")

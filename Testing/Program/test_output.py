@@ -24,7 +24,19 @@ RECOVERY = FILES | {"average_edge_length", "displacement"}
 RECOVERY_COUNTS = MESH | {"sharp_vertices", "skeleton_vertices", "moved_vertices"}
 PAPER = {"method", "window", "window_ratio", "sharp_angle", "window_search"}
 CURVES = MESH | {"curves", "corners", "surfaces"}
-ANGLES = {"feature_angle", "corner_angle"}
+FEATURES = {
+    "feature_angle",
+    "continuation_angle",
+    "maximum_angle",
+    "corner_angle",
+    "noise_factor",
+    "boundary",
+    "non_manifold",
+    "gap",
+    "tail",
+    "minimum_length",
+    "merge_tolerance",
+}
 STEPS = {"classification", "thinning", "sharpening"}
 EXPECTED = {  # keys at the top, in parameters, in counts and in seconds
     "sharpen": (RECOVERY, {"method", "window"}, RECOVERY_COUNTS, {"read", "write"} | STEPS),
@@ -34,8 +46,13 @@ EXPECTED = {  # keys at the top, in parameters, in counts and in seconds
         MESH | {"sharp_vertices"},
         None,
     ),
-    "edges": (FILES | {"curve_length"}, ANGLES, CURVES, {"read", "extraction", "write"}),
-    "regions": (FILES | {"curve_length"}, ANGLES, CURVES, {"read", "extraction", "write"}),
+    "edges": (
+        FILES | {"curve_length"},
+        FEATURES | {"resample"},
+        CURVES,
+        {"read", "extraction", "write"},
+    ),
+    "regions": (FILES | {"curve_length"}, FEATURES, CURVES, {"read", "extraction", "write"}),
     "contour": (
         RECOVERY,
         PAPER | {"value", "inside"},
@@ -99,7 +116,8 @@ class Output(ProgramTest):
             with self.subTest(suffix):
                 self.assert_same("sharpen", "box.vtp", "-o", suffix=suffix)
         self.assert_same("contour", BRACKET, "--value", "0", "-o", suffix=".vtp")
-        self.assert_same("edges", "box.vtp", "-o", suffix=".vtp")
+        for suffix in (".vtp", ".obj", ".csv", ".eMesh"):
+            self.assert_same("edges", "box.vtp", "-o", suffix=suffix)
         self.assert_same("regions", "box.vtp", "-o", suffix=".vtp")
 
     def assert_same(self, *arguments, suffix):
