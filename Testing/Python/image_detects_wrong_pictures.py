@@ -12,6 +12,7 @@ from pictures import difference
 wrong = [
     ("bracket.png", scenes.bracket(recover=False), "the mesh as sampling left it"),
     ("roles.png", scenes.roles(array="SharpRegion"), "the region instead of its skeleton"),
+    ("features.png", scenes.features(feature_angle=91.0), "without the cube's curves"),
     ("curves.png", scenes.curves(feature_angle=120.0), "without most of its curves"),
 ]
 passed = True

@@ -9,7 +9,8 @@ import meshes
 from arris import vtkSharpEdgeExtractor, vtkSharpEdgeReconstruction
 from pictures import actor, draw
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFlyingEdges3D
+from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource, vtkCylinderSource
 from vtkmodules.vtkIOImage import vtkMetaImageReader
 
 SAMPLES = 40
@@ -69,3 +70,51 @@ def curves(feature_angle=40.0):
     lines.GetProperty().SetLineWidth(2)
     lines.GetProperty().LightingOff()
     return draw([actor(mesh), lines], direction=(1.0, -1.2, 0.9), zoom=1.5)
+
+
+COLORS = [(0.84, 0.15, 0.16), (0.12, 0.38, 0.78), (0.15, 0.55, 0.20), (0.95, 0.50, 0.05)]
+
+
+def colored(data, array, count, of_cells=True):
+    """Cells or points in colors by their number in an array."""
+    shown = actor(data)
+    colors = vtkLookupTable()
+    colors.SetNumberOfTableValues(count)
+    for number in range(count):
+        colors.SetTableValue(number, *COLORS[number % len(COLORS)])
+    mapper = shown.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetColorModeToMapScalars()
+    if of_cells:
+        mapper.SetScalarModeToUseCellFieldData()
+    else:
+        mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray(array)
+    mapper.SetLookupTable(colors)
+    mapper.SetScalarRange(0, count - 1)
+    shown.GetProperty().LightingOff()
+    shown.GetProperty().SetLineWidth(4)
+    shown.GetProperty().SetPointSize(9)
+    return shown
+
+
+def features(feature_angle=30.0):
+    """A cube, a cylinder and a cone: each curve in a color, corners and the tip as points."""
+    solids = vtkAppendPolyData()
+    cylinder, cone = vtkCylinderSource(), vtkConeSource()
+    for source, place in ((vtkCubeSource(), 0.0), (cylinder, 1.5), (cone, -1.5)):
+        source.SetCenter(place, 0.0, 0.0)
+        solids.AddInputConnection(source.GetOutputPort())
+    cylinder.SetResolution(32)
+    cone.SetResolution(32)
+    cone.SetDirection(0.0, 1.0, 0.0)
+    solids.Update()
+    extract = vtkSharpEdgeExtractor()
+    extract.SetFeatureAngle(feature_angle)
+    extract.SetInputData(solids.GetOutput())
+    extract.Update()
+    curves, corners = extract.GetOutput(), extract.GetCorners()
+    shown = [actor(solids.GetOutput())]
+    shown.append(colored(curves, "CurveId", max(2, curves.GetNumberOfCells())))
+    shown.append(colored(corners, "Tip", 2, of_cells=False))
+    return draw(shown, direction=(0.3, 0.5, 1.0))
