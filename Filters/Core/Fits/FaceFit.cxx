@@ -6,6 +6,7 @@
 #include "Core/Geometry.h"
 #include "Refine.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace arris
@@ -162,13 +163,15 @@ FaceFit FitFace(const Mesh& mesh, IndexSpan triangles, double tolerance)
       nearestDistance = misfit.Distance;
     }
     if (misfit.Distance <= tolerance * scale.EdgeLength && misfit.Angle <= NormalTolerance &&
-      (!fits || Parsimony * total < least))
+      (!fits || Parsimony * std::max(total, Exact * scale.Size) < least))
     {
       best.Shape = shape;
       least = total;
       fits = true;
     }
-    if (face.Items.size() < FewestForCurved || (fits && nearestDistance <= Exact * scale.Size))
+    const bool exact =
+      fits && least <= Exact * scale.Size; // distances and normals: no use to go on
+    if (face.Items.size() < FewestForCurved || exact)
     {
       break;
     }

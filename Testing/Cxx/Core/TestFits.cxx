@@ -112,6 +112,26 @@ TEST(Fits, ACylinder)
   }
 }
 
+TEST(Fits, TwoRingsOfPointsAreACylinderThoughASphereGoesThroughThemToo)
+{
+  for (const double height : { 0.3, 1.0, 3.0, 10.0 })
+  {
+    const FaceFit fit = Fit(Placed(Tube(3.0, 500, 1, height)));
+    EXPECT_EQ(fit.Shape.Kind, PrimitiveKind::Cylinder) << height;
+    EXPECT_NEAR(fit.Shape.Radius, 3.0, 1e-6);
+  }
+}
+
+TEST(Fits, APlaneOfSixDigitsIsNoHugeCylinder)
+{
+  Mesh grid = Placed(FlatGrid(20, 20));
+  for (Vec3& point : grid.Points)
+  {
+    point = (point * 1e4).array().round() / 1e4;
+  }
+  EXPECT_EQ(Fit(grid).Shape.Kind, PrimitiveKind::Plane);
+}
+
 TEST(Fits, ACone)
 {
   for (const double halfAngle : { 0.2, 0.7, 1.2 })
