@@ -112,7 +112,7 @@ public:
   ///@{
   /// Where the mesh folds both up and down by more than an edge's angle over this, the edge is
   /// judged by the mean normals up to three edge lengths to both sides, in which noise cancels out.
-  /// Range: from 0; default 20. 0 takes every fold for shape.
+  /// Range: from 0; default 30. 0 takes every fold for shape.
   vtkSetMacro(NoiseFactor, double);
   vtkGetMacro(NoiseFactor, double);
   ///@}

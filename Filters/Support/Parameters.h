@@ -34,9 +34,10 @@ constexpr double CornerReach = 0.25;
 /// Up to there a feature goes on where it ends, as a part of the feature angle.
 constexpr double DefaultContinuation = 0.5;
 
-/// Where the mesh folds up and down by more than an edge's angle over this, the edge may be noise:
-/// twice the largest angle, in that measure, of a hundred thousand edges of pure noise.
-constexpr double DefaultNoiseFactor = 20.0;
+/// Where the mesh folds up and down by more than an edge's angle over this, the edge may be noise.
+/// Noise of a tenth of an edge turns a triangle over now and then: a fold of 150 degrees, 20 times
+/// that of the edges around.
+constexpr double DefaultNoiseFactor = 30.0;
 
 /// Gaps that are closed and tails that are cut by themselves, in average edge lengths.
 constexpr double DefaultGap = 1.0;

@@ -71,7 +71,7 @@ class Properties(unittest.TestCase):
             ("CornerAngle", 60.0, 90.0),
             ("ContinuationAngle", 0.0, 10.0),
             ("MaximumAngle", 180.0, 170.0),
-            ("NoiseFactor", 20.0, 0.0),
+            ("NoiseFactor", 30.0, 0.0),
             ("BoundaryEdges", True, False),
             ("NonManifoldEdges", True, False),
             ("GapLength", -1.0, 0.5),

@@ -10,7 +10,7 @@ using namespace arris::testing;
 
 namespace
 {
-constexpr double NoiseFactor = 20.0; // the filter's default
+constexpr double NoiseFactor = 30.0; // the filter's default
 
 /// Criteria as the filter has them by default, without the boundary.
 FeatureCriteria UsualCriteria()

@@ -135,7 +135,7 @@ TEST(Properties, OfTheExtractor)
   ExpectProperty<Filter, double>(
     "MaximumAngle", &Filter::SetMaximumAngle, &Filter::GetMaximumAngle, 180.0, 170.0);
   ExpectProperty<Filter, double>(
-    "NoiseFactor", &Filter::SetNoiseFactor, &Filter::GetNoiseFactor, 20.0, 5.0);
+    "NoiseFactor", &Filter::SetNoiseFactor, &Filter::GetNoiseFactor, 30.0, 5.0);
   ExpectProperty<Filter, bool>(
     "BoundaryEdges", &Filter::SetBoundaryEdges, &Filter::GetBoundaryEdges, true, false);
   ExpectProperty<Filter, bool>(
