@@ -31,7 +31,7 @@ from vtkmodules.vtkIOImage import vtkMetaImageWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-FILLET_RADIUS = 8.0  # mm; the one fillet
+FILLET_RADIUS = 12.0  # mm; the one fillet
 TURN = (4.0, 2.5, 7.0)  # degrees about x, then y, then z
 # Grid lines miss the part's bounds by these fractions of a cell.
 GRID_SHIFT = (math.sqrt(2) % 1, math.sqrt(3) % 1, math.sqrt(5) % 1)
@@ -40,46 +40,42 @@ BAND_CELLS = 4  # distances are clamped to this many cells
 
 
 def make_part():
-    """The bracket, in drawing position: x across, y along the bearing axis, z up."""
+    """The bracket, in drawing position: x across, y along the bearing axis, z up.
+
+    Walls, gaps and distances between edges are 12 mm or more, holes 20 mm, so that half the samples
+    still show each of them.
+    """
     yz = cq.Workplane("YZ")
     xz = cq.Workplane("XZ")  # looks along -y: extrude(-d) goes to y = d
-    axis = (0, 58)  # the bearing axis in x and z
+    axis = (0, 68)  # the bearing axis in x and z
 
-    # Base and wall with the fillet between them; the toe of the base slopes by 30 degrees.
-    toe = 14 - 15 * math.tan(math.radians(30))
+    # Base and wall with the fillet between them, cut to shape as seen along the axis.
     r = FILLET_RADIUS
     part = (
-        yz.moveTo(0, 0).lineTo(72, 0).lineTo(72, toe).lineTo(57, 14).lineTo(14 + r, 14)
-        .radiusArc((14, 14 + r), r).lineTo(14, 80).lineTo(0, 80).close()
-        .extrude(56, both=True)
+        yz.moveTo(0, 0).lineTo(90, 0).lineTo(90, 14).lineTo(16 + r, 14)
+        .radiusArc((16, 14 + r), r).lineTo(16, 120).lineTo(0, 120).close()
+        .extrude(60, both=True)
     )
-    outline = [(-56, 0), (56, 0), (56, 36), (10, 66), (-10, 66), (-56, 36)]
-    part = part.intersect(xz.polyline(outline).close().extrude(-100))
+    shoulders = xz.center(0, 27).rect(108, 54)
+    part = part.intersect(shoulders.extrude(-100).union(xz.center(*axis).circle(42).extrude(-100)))
 
-    # Bearing housing, the spigot behind the wall, and the rib below.
-    part = part.union(xz.center(*axis).circle(28).extrude(-40))
-    part = part.union(xz.center(*axis).circle(22).extrude(6))
-    rib = [(10, 10), (46, 10), (46, 14), (35, 30), (32.25, 34), (10, 34)]
-    part = part.union(yz.polyline(rib).close().extrude(5, both=True))
+    # Bearing housing in front of the wall, and the rib below.
+    part = part.union(xz.center(*axis).circle(30).extrude(-64))
+    rib = [(10, 10), (71, 10), (71, 14), (35, 50), (10, 50)]
+    part = part.union(yz.polyline(rib).close().extrude(7, both=True))
 
-    # Grease boss on the housing, 20 degrees off the vertical, with a flat top.
+    # Bore, and the lubricator's port on top of the housing, 20 degrees off the vertical.
     tilt = math.radians(20)
-    boss = cq.Workplane(
-        cq.Plane(origin=(axis[0], 15, axis[1]), xDir=(0, 1, 0), normal=(math.sin(tilt), 0, math.cos(tilt)))
+    port = cq.Workplane(
+        cq.Plane(origin=(axis[0], 40, axis[1]), xDir=(0, 1, 0), normal=(math.sin(tilt), 0, math.cos(tilt)))
     )
-    part = part.union(boss.workplane(offset=20).circle(9).extrude(17))
+    part = part.cut(xz.workplane(offset=10).center(*axis).circle(17).extrude(-90))
+    part = part.cut(port.circle(10).extrude(40))
 
-    # Bore, its counterbore, and the grease hole.
-    part = part.cut(xz.workplane(offset=10).center(*axis).circle(15).extrude(-60))
-    part = part.cut(xz.workplane(offset=-26).center(*axis).circle(21).extrude(-20))
-    part = part.cut(boss.circle(3.5).extrude(40))
-
-    # Mounting: a counterbored hole and a slot through the base, two holes through the wall.
+    # Mounting: a hole and a slot through the base.
     xy = cq.Workplane("XY")
-    part = part.cut(xy.center(-36, 40).circle(5).extrude(20))
-    part = part.cut(xy.workplane(offset=8).center(-36, 40).circle(10).extrude(10))
-    part = part.cut(xy.center(36, 50).slot2D(31, 11, 90).extrude(20))
-    part = part.cut(xz.pushPoints([(-40, 33), (40, 33)]).circle(5).extrude(-20))
+    part = part.cut(xy.center(-32, 56).circle(10).extrude(20))
+    part = part.cut(xy.center(32, 56).slot2D(40, 20, 90).extrude(20))
 
     part = part.clean().val()
     return part.Solids()[0] if part.ShapeType() != "Solid" else part

@@ -32,10 +32,10 @@ namespace fs = std::filesystem;
 /// Two edges are the same when they are this near, in cells of the volume.
 constexpr double EdgeTolerance = 0.1;
 
-/// Edges that turn by less, in degrees, are not counted. The bracket's shallowest turns by 30.
+/// Edges that turn by less, in degrees, are not counted. The bracket's shallowest turns by 45.
 constexpr double ShallowestEdge = 20.0;
 
-/// Where the boss meets the bearing housing.
+/// The front of the bearing housing, with the port on top of it.
 View CloseUp()
 {
   View view;

@@ -69,7 +69,7 @@ def curves(feature_angle=40.0):
     lines = actor(extract.GetOutput(), (0.8, 0.05, 0.05))
     lines.GetProperty().SetLineWidth(2)
     lines.GetProperty().LightingOff()
-    return draw([actor(mesh), lines], direction=(1.0, -1.2, 0.9), zoom=1.5)
+    return draw([actor(mesh), lines], direction=(1.0, -1.2, 0.9), zoom=1.4)
 
 
 COLORS = [(0.84, 0.15, 0.16), (0.12, 0.38, 0.78), (0.15, 0.55, 0.20), (0.95, 0.50, 0.05)]
