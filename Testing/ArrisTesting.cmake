@@ -8,12 +8,13 @@ include(GoogleTest)
 # One test program from all sources of a folder, and one ctest entry for each of its tests, found
 # when ctest runs, so that a program that cannot start fails its tests and not the build.
 function (arris_add_test_program name label)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "TIMEOUT" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "TIMEOUT" "SOURCES;LIBRARIES;PRECOMPILED")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE
     Arris::Filters Eigen3::Eigen ${arg_LIBRARIES} GTest::GTest GTest::Main)
-  target_compile_options(${name} PRIVATE ${ARRIS_COMPILE_OPTIONS})
-  target_precompile_headers(${name} PRIVATE <gtest/gtest.h> <Eigen/Geometry>) # half the build time
+  # Little optimized and with their headers read once, tests compile in half the time.
+  target_compile_options(${name} PRIVATE ${ARRIS_COMPILE_OPTIONS} -O1)
+  target_precompile_headers(${name} PRIVATE <gtest/gtest.h> <Eigen/Geometry> ${arg_PRECOMPILED})
   gtest_discover_tests(${name}
     TEST_PREFIX "${label}."
     DISCOVERY_MODE PRE_TEST
