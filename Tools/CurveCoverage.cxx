@@ -61,7 +61,7 @@ vtkSmartPointer<vtkPolyData> CellsOf(const std::vector<Segment>& segments)
     const vtkIdType b = points->InsertNextPoint(segment[1].data());
     lines->InsertNextCell({ a, b });
   }
-  const auto cells = vtkSmartPointer<vtkPolyData>::New();
+  auto cells = vtkSmartPointer<vtkPolyData>::New();
   cells->SetPoints(points);
   cells->SetLines(lines);
   return cells;

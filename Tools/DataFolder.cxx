@@ -24,7 +24,7 @@ bool HoldsData(const fs::path& folder)
 std::string DataFolder(const std::string& given)
 {
   const char* fromEnvironment = std::getenv("ARRIS_DATA");
-  const std::string chosen = !given.empty() || fromEnvironment == nullptr ? given : fromEnvironment;
+  std::string chosen = !given.empty() || fromEnvironment == nullptr ? given : fromEnvironment;
   if (!chosen.empty())
   {
     if (!HoldsData(chosen))

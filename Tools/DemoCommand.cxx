@@ -118,7 +118,7 @@ DemoFiles MakeFolder(const std::string& folder)
       "cannot be made: " + (error ? error.message() : "a file of that name is there"),
       "choose another folder with -o");
   }
-  const DemoFiles files{ folder };
+  DemoFiles files{ folder };
   CheckWritable(files("before.ply"));
   return files;
 }
@@ -192,7 +192,7 @@ Command AddDemo(CLI::App& program)
 {
   const auto options = std::make_shared<DemoOptions>();
   CLI::App* command = program.add_subcommand("demo",
-    "Recover a real part from its scanned volume, with pictures and distances to the truth");
+    "Recover a real part from its sampled volume, with pictures and distances to the truth");
   command->add_option("-o,--output", options->Folder, "Where to (default arris-demo)")
     ->type_name("FOLDER");
   command

@@ -30,7 +30,7 @@ std::string OnOneLine(const std::string& text)
     line.begin(), line.end(), [](char letter) { return letter < ' ' || letter > '~'; }, '?');
   if (line.size() > Longest)
   {
-    line = line.substr(0, Longest) + " ...";
+    line.replace(Longest, std::string::npos, " ...");
   }
   while (!line.empty() && (line.back() == '.' || line.back() == '!'))
   {

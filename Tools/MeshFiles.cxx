@@ -155,7 +155,7 @@ vtkSmartPointer<vtkPolyData> MergeCoincidentPoints(vtkPolyData* mesh)
 template <typename Writer>
 vtkSmartPointer<Writer> Create(vtkPolyData* mesh, const std::string& path)
 {
-  const auto writer = vtkSmartPointer<Writer>::New();
+  auto writer = vtkSmartPointer<Writer>::New();
   writer->SetFileName(path.c_str());
   writer->SetInputData(mesh);
   return writer;
@@ -201,7 +201,7 @@ std::string RunWriter(vtkAlgorithm* writer)
 
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, ProgressBar& progress)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = ReadPolyData(path, progress);
+  vtkSmartPointer<vtkPolyData> mesh = ReadPolyData(path, progress);
   if (mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0)
   {
     throw Failure(path, "holds no triangles", "give a mesh of triangles or polygons");
@@ -219,7 +219,7 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, ProgressBar& prog
 
 vtkSmartPointer<vtkPolyData> ReadCurves(const std::string& path, ProgressBar& progress)
 {
-  const vtkSmartPointer<vtkPolyData> curves = ReadPolyData(path, progress);
+  vtkSmartPointer<vtkPolyData> curves = ReadPolyData(path, progress);
   if (curves->GetNumberOfLines() == 0)
   {
     throw Failure(path, "holds no lines", "give a file with polylines");

@@ -52,7 +52,7 @@ vtkSmartPointer<vtkActor> ActorOf(vtkPolyData* data, const Colour& colour)
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
-  const auto actor = vtkSmartPointer<vtkActor>::New();
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
   property->SetColor(colour[0], colour[1], colour[2]);

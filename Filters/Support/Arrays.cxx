@@ -66,7 +66,7 @@ std::string ReadPointValues(
 std::string ReadThinningRounds(vtkDataArray* array, vtkPolyData* input, std::vector<int>& rounds)
 {
   std::vector<double> values;
-  const std::string problem = ReadPointValues(array, array::ThinningRound, input, values);
+  std::string problem = ReadPointValues(array, array::ThinningRound, input, values);
   if (!problem.empty())
   {
     return problem;

@@ -59,10 +59,10 @@ std::vector<Side> SideFinder::Find(Index vertex)
     return sides;
   }
   LocalSolid solid;
-  for (std::size_t k = 0; k < sides.size(); ++k)
+  for (Side& side : sides)
   {
-    this->Fit(vertex, sides[k]);
-    solid.AddSheet(sides[k].Surface, this->Samples);
+    this->Fit(vertex, side);
+    solid.AddSheet(side.Surface, this->Samples);
   }
   const Vec3& x = this->TheMesh.Points[vertex];
   const double active = solid.Value(x);

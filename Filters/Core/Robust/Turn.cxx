@@ -188,9 +188,11 @@ void TurnMeter::GatherNear(Index vertex, double radius)
   {
     look(face);
   }
-  for (std::size_t next = 0; next < this->Near.size(); ++next)
+  std::size_t next = 0;
+  while (next < this->Near.size()) // which look() makes longer
   {
-    for (Index face : this->TheConnectivity.AcrossEdge[this->Near[next].Face])
+    const Index seen = this->Near[next++].Face;
+    for (Index face : this->TheConnectivity.AcrossEdge[seen])
     {
       look(face);
     }

@@ -332,6 +332,7 @@ private:
     const std::vector<Index> triangles = this->TrianglesAround(vertices);
     const double before = this->Worth(triangles);
     std::vector<Vec3> points;
+    points.reserve(vertices.size());
     for (Index v : vertices)
     {
       points.push_back(this->ThePlacement.PointOf(v));

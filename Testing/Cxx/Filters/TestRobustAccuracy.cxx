@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Arris developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distances.h"
+#include "Accuracy.h"
 
 using namespace arris::testing;
 
@@ -12,38 +12,11 @@ using namespace arris::testing;
 
 namespace
 {
-struct Model
-{
-  const char* Name;
-  Solid (*Make)();
-  double LeastImprovement;
-};
-std::ostream& operator<<(std::ostream& os, const Model& model)
-{
-  return os << model.Name;
-}
-
 vtkSmartPointer<vtkPolyData> Recover(vtkPolyData* mesh)
 {
   vtkNew<vtkSharpEdgeReconstruction> recovery;
-  recovery->SetInputData(mesh);
-  recovery->Update();
-  return recovery->GetOutput();
+  return Execute(recovery, mesh);
 }
-
-class RobustAccuracy : public ::testing::TestWithParam<Model>
-{
-protected:
-  static constexpr int Samples = 64;
-  const Solid Truth = GetParam().Make();
-  const vtkSmartPointer<vtkPolyData> Before = Contour(this->Truth, Samples);
-  const vtkSmartPointer<vtkPolyData> After = Recover(this->Before);
-
-  double Mean(vtkPolyData* mesh) const
-  {
-    return MeanDistance<3>(mesh, [this](const Point3& p) { return this->Truth.SignedDistance(p); });
-  }
-};
 
 /// The mesh edges over which two triangles are folded back onto each other.
 vtkIdType FoldedEdges(vtkPolyData* mesh)
@@ -60,17 +33,17 @@ vtkIdType FoldedEdges(vtkPolyData* mesh)
 }
 }
 
+using RobustAccuracy = RecoveredModel<Recover>;
+
 TEST_P(RobustAccuracy, ComesNearerToTheTruthInTheMean)
 {
-  EXPECT_GE(this->Mean(this->Before) / this->Mean(this->After), GetParam().LeastImprovement);
+  EXPECT_GE(this->Improvement(), GetParam().LeastImprovement);
 }
 
 TEST_P(RobustAccuracy, NearlyAllSharpEdgesAreBack)
 {
-  const double width = CellWidth(Samples);
-  const std::vector<Point3> truth = this->Truth.SharpEdgePoints(0.05 * width);
-  EXPECT_LE(Recall(this->Before, truth, 0.1 * width), 0.2) << "or the contour did not lose them";
-  EXPECT_GE(Recall(this->After, truth, 0.1 * width), 0.97);
+  EXPECT_LE(this->Found(this->Before), 0.2) << "or the contour did not lose them";
+  EXPECT_GE(this->Found(this->After), 0.97);
 }
 
 TEST_P(RobustAccuracy, FoldsNothing)
@@ -81,4 +54,4 @@ TEST_P(RobustAccuracy, FoldsNothing)
 INSTANTIATE_TEST_SUITE_P(Solids, RobustAccuracy,
   ::testing::Values(Model{ "Box", BoxSolid, 50.0 }, Model{ "Cylinder", CylinderSolid, 2.0 },
     Model{ "Bracket", BracketSolid, 50.0 }),
-  [](const auto& test) { return test.param.Name; });
+  ModelName);
