@@ -39,7 +39,7 @@ inline Mesh Extrude(
   {
     for (const Vec3& point : profile)
     {
-      mesh.Points.push_back(point + static_cast<double>(j) * step);
+      mesh.Points.emplace_back(point + static_cast<double>(j) * step);
     }
   }
   for (Index j = 0; j < steps; ++j)

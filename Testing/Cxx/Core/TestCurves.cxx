@@ -22,6 +22,7 @@ const CurveSplits NoTurns;
 std::vector<Vec3> Line(Index count)
 {
   std::vector<Vec3> points;
+  points.reserve(count);
   for (Index i = 0; i < count; ++i)
   {
     points.emplace_back(i, 0.0, 0.0);

@@ -53,7 +53,7 @@ Mesh Moved(Mesh mesh, double scale, double shift)
 /// and whatever corner comes first.
 Pairs FindAnyhow(const Mesh& mesh)
 {
-  const Pairs found = Find(mesh);
+  Pairs found = Find(mesh);
   for (const double scale : { 1e-3, 1.0, 1e3 })
   {
     for (const double shift : { 0.0, 1e3 })
@@ -127,7 +127,7 @@ void AddSphere(Mesh& mesh, int times, const Vec3& center, double radius)
   const Index first = mesh.VertexCount();
   for (const Vec3& point : points)
   {
-    mesh.Points.push_back(center + radius * point);
+    mesh.Points.emplace_back(center + radius * point);
   }
   for (const auto& [a, b, c] : triangles)
   {
@@ -165,7 +165,7 @@ Mesh Mess(int count, unsigned seed)
         continue;
       }
       vertex = mesh.VertexCount();
-      mesh.Points.push_back(center + size * vector());
+      mesh.Points.emplace_back(center + size * vector());
     }
     mesh.Triangles.push_back(triangle);
   }

@@ -45,6 +45,7 @@ std::vector<Vec3> RandomNormals(std::mt19937& random, int count, double spread)
   const auto any = [&] { return Vec3(coordinate(random), coordinate(random), coordinate(random)); };
   const Vec3 axis = any().normalized();
   std::vector<Vec3> normals;
+  normals.reserve(count);
   for (int i = 0; i < count; ++i)
   {
     normals.push_back((axis + spread * any()).normalized());

@@ -210,7 +210,7 @@ TEST(Sharpening, ARemovedVertexHearsTheNearestStaticTrianglesOnly)
     Vec3(-0.3, 0, 0), Vec3(0.0, 0.0, 0.2) };
   for (int i = 0; i < 4; ++i)
   {
-    profile.push_back(Vec3(1.5, 0.0, 0.0) + static_cast<double>(i) * fall);
+    profile.emplace_back(Vec3(1.5, 0.0, 0.0) + static_cast<double>(i) * fall);
   }
   const Index width = static_cast<Index>(profile.size());
   const Mesh mesh = Extrude(profile, 12, Vec3(0.0, 1.0, 0.0));

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 using namespace arris;
 using namespace arris::testing;
 
@@ -133,11 +135,8 @@ TEST(Skeleton, OpenedTrianglesKeepASkeletonConnected)
 TEST(Skeleton, ALoopHasNeitherEndNorJoint)
 {
   const Mesh mesh = Tube(5.0, 16, 4, 1.0);
-  std::vector<Index> ring;
-  for (Index i = 0; i < 16; ++i)
-  {
-    ring.push_back(32 + i);
-  }
+  std::vector<Index> ring(16);
+  std::iota(ring.begin(), ring.end(), 32);
   const Skeleton skeleton = Trace(mesh, ring);
   EXPECT_EQ(EdgesOf(skeleton).size(), 16u);
   EXPECT_EQ(CountRole(skeleton, SkeletonRole::Branch), 16);

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPolyData> Rectangle(double width, double height = 0.0)
   points->InsertNextPoint(0.0, 1.0, height);
   vtkNew<vtkCellArray> cells;
   cells->InsertNextCell({ 0, 1, 2, 3 });
-  const auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
   mesh->SetPolys(cells);
   return mesh;

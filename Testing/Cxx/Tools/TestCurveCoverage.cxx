@@ -30,7 +30,7 @@ vtkSmartPointer<vtkPolyData> Polyline(const std::vector<Eigen::Vector3d>& vertic
   {
     lines->InsertCellPoint(points->InsertNextPoint(vertex.data()));
   }
-  const auto curves = vtkSmartPointer<vtkPolyData>::New();
+  auto curves = vtkSmartPointer<vtkPolyData>::New();
   curves->SetPoints(points);
   curves->SetLines(lines);
   return curves;
