@@ -170,7 +170,7 @@ vtkSmartPointer<vtkPolyData> Classify(Session& session, vtkPolyData* mesh, const
   filter->SetInputData(mesh);
   SetClassification(filter.Get(), options);
   RunStage(session, filter, "classifying", name);
-  const vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
+  vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   TakeSeconds(session, result);
   ReportMesh(session, result, name);
   ReportWindow(session, result, options);
@@ -188,7 +188,7 @@ vtkSmartPointer<vtkPolyData> Recover(
   SetClassification(filter.Get(), options);
   session.Report["parameters"]["method"] = options.Method;
   RunStage(session, filter, "recovering", name);
-  const vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
+  vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   TakeSeconds(session, result);
   ReportMesh(session, result, name);
   if (options.Method == "paper")
