@@ -9,13 +9,7 @@ if (NOT config)
 endif ()
 get_filename_component(paraview_directory "${config}" DIRECTORY)
 
-function (run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status)
-  if (NOT status EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "'${command}' failed (${status})")
-  endif ()
-endfunction ()
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 
 run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${BINARY}" -G "${GENERATOR}"
   -DARRIS_BUILD_PLUGIN=ON -DARRIS_BUILD_TOOLS=OFF

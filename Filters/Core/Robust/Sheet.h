@@ -9,6 +9,8 @@
 
 #include "Core/Types.h"
 
+#include "ArrisFiltersModule.h" // for the export macro
+
 namespace arris
 {
 /// A point that a sheet is fitted to.
@@ -19,7 +21,7 @@ struct SheetSample
   double Weight;
 };
 
-class Sheet
+class ARRISFILTERS_EXPORT Sheet
 {
 public:
   Sheet() = default;
