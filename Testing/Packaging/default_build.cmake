@@ -6,13 +6,7 @@ cmake_minimum_required(VERSION 3.18...3.25)
 unset(ENV{CMAKE_GENERATOR})
 unset(ENV{CMAKE_BUILD_TYPE})
 
-function (run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status)
-  if (NOT status EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "'${command}' failed (${status})")
-  endif ()
-endfunction ()
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 
 run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${BINARY}")
 load_cache("${BINARY}" READ_WITH_PREFIX cached_
