@@ -13,6 +13,7 @@ set(sources
   Filters/Core/ConnectedWindow.cxx
   Filters/Core/Curves.cxx
   Filters/Core/EdgeGraph.cxx
+  Filters/Core/Flagged.cxx
   Filters/Core/Geometry.cxx
   Filters/Core/Intersections.cxx
   Filters/Core/Mesh.cxx

@@ -3,8 +3,8 @@
 
 #include "CurveCoverage.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
+#include "Segments.h"
+
 #include <vtkGenericCell.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -29,23 +29,17 @@ using Segment = std::array<Point, 2>;
 std::vector<Segment> SegmentsOf(vtkPolyData* curves)
 {
   std::vector<Segment> segments;
-  const auto line = vtk::TakeSmartPointer(curves->GetLines()->NewIterator());
-  for (line->GoToFirstCell(); !line->IsDoneWithTraversal(); line->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    line->GetCurrentCell(count, ids);
-    for (vtkIdType i = 0; i + 1 < count; ++i)
+  ForEachSegment(curves,
+    [&](vtkIdType a, vtkIdType b)
     {
       Segment segment;
-      curves->GetPoint(ids[i], segment[0].data());
-      curves->GetPoint(ids[i + 1], segment[1].data());
+      curves->GetPoint(a, segment[0].data());
+      curves->GetPoint(b, segment[1].data());
       if (segment[0] != segment[1])
       {
         segments.push_back(segment);
       }
-    }
-  }
+    });
   return segments;
 }
 

@@ -4,11 +4,9 @@
 #include "EMesh.h"
 
 #include "AtomicFile.h"
+#include "Segments.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 #include <array>
 #include <filesystem>
@@ -43,18 +41,12 @@ struct Edges
       }
       return inserted.first->second;
     };
-    const auto line = vtk::TakeSmartPointer(curves->GetLines()->NewIterator());
-    for (line->GoToFirstCell(); !line->IsDoneWithTraversal(); line->GoToNextCell())
-    {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      line->GetCurrentCell(count, ids);
-      for (vtkIdType i = 0; i + 1 < count; ++i)
+    ForEachSegment(curves,
+      [&](vtkIdType a, vtkIdType b)
       {
-        const std::size_t from = number(ids[i]);
-        this->Ends.push_back({ from, number(ids[i + 1]) });
-      }
-    }
+        const std::size_t from = number(a);
+        this->Ends.push_back({ from, number(b) });
+      });
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include "Intersections.h"
 
+#include "Flagged.h"
 #include "Geometry.h"
 #include "Parallel.h"
 #include "TriangleCrossing.h"
@@ -295,26 +296,13 @@ Flags Mark(const Mesh& mesh, const std::vector<Index>& triangles)
   }
   return marks;
 }
-
-std::vector<Index> Marked(const Flags& marks)
-{
-  std::vector<Index> marked;
-  for (std::size_t t = 0; t < marks.size(); ++t)
-  {
-    if (marks[t])
-    {
-      marked.push_back(static_cast<Index>(t));
-    }
-  }
-  return marked;
-}
 }
 
 std::vector<std::array<Index, 2>> FindIntersections(
   const Mesh& mesh, const std::vector<Index>& triangles)
 {
   const Flags isListed = Mark(mesh, triangles);
-  const Grid grid(mesh, Marked(isListed));
+  const Grid grid(mesh, Flagged(isListed));
   std::vector<Pair> pairs;
   if (grid.Empty())
   {

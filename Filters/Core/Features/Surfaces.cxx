@@ -11,6 +11,14 @@ namespace arris
 {
 namespace
 {
+/// All triangles at an edge.
+void TrianglesAt(const Mesh& mesh, const Connectivity& connectivity, const FeatureEdge& edge,
+  std::vector<Index>& ring)
+{
+  const Index t = edge.Left != NoIndex ? edge.Left : edge.Right;
+  RingOfEdge(mesh, connectivity, t, EdgeBetween(mesh.Triangles[t], edge.A, edge.B), ring);
+}
+
 /// For each triangle the edges that cannot be crossed, one bit each.
 std::vector<unsigned char> Fences(
   const Mesh& mesh, const Connectivity& connectivity, const std::vector<FeatureEdge>& features)
@@ -19,8 +27,7 @@ std::vector<unsigned char> Fences(
   std::vector<Index> ring;
   for (const FeatureEdge& edge : features)
   {
-    const Index t = edge.Left != NoIndex ? edge.Left : edge.Right;
-    RingOfEdge(mesh, connectivity, t, EdgeBetween(mesh.Triangles[t], edge.A, edge.B), ring);
+    TrianglesAt(mesh, connectivity, edge, ring);
     for (const Index around : ring)
     {
       fences[around] |=
@@ -101,8 +108,6 @@ class LoopCounter
 public:
   void Add(Index surface, Index a, Index b)
   {
-    this->Root(surface, a);
-    this->Root(surface, b);
     const Key rootA = this->Root(surface, a);
     const Key rootB = this->Root(surface, b);
     this->Parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
@@ -142,10 +147,9 @@ void CountLoops(const Mesh& mesh, const Connectivity& connectivity,
   std::vector<Index> ring;
   for (const FeatureEdge& edge : features)
   {
-    const Index t = edge.Left != NoIndex ? edge.Left : edge.Right;
-    RingOfEdge(mesh, connectivity, t, EdgeBetween(mesh.Triangles[t], edge.A, edge.B), ring);
+    TrianglesAt(mesh, connectivity, edge, ring);
     const bool divides = std::any_of(ring.begin(), ring.end(),
-      [&](Index other) { return surfaces.Ids[other] != surfaces.Ids[t]; });
+      [&](Index other) { return surfaces.Ids[other] != surfaces.Ids[ring.front()]; });
     for (const Index around : divides ? ring : std::vector<Index>())
     {
       loops.Add(surfaces.Ids[around], edge.A, edge.B);

@@ -3,6 +3,7 @@
 
 #include "Apexes.h"
 
+#include "Core/Flagged.h"
 #include "Core/Predictor.h"
 
 #include <algorithm>
@@ -42,25 +43,17 @@ public:
   {
   }
 
-  /// Gathers the connected part of the region at `seed` and the intact vertices around it; false if
-  /// it is too large or comes near another part.
-  bool Gather(Index seed)
+  /// Takes a connected part of the region and gathers the intact vertices around it; false if it
+  /// is too large or comes near another part.
+  bool Gather(const std::vector<Index>& members)
   {
-    this->Members.assign(1, seed);
-    this->Ring[seed] = 0;
+    this->Members = members;
     this->Rim.clear();
-    for (std::size_t next = 0; next < this->Members.size(); ++next)
+    for (Index v : members)
     {
-      for (Index n : this->Around.TheConnectivity.NeighborsOfVertex[this->Members[next]])
-      {
-        if (this->Region[n] && this->Ring[n] < 0)
-        {
-          this->Ring[n] = 0;
-          this->Members.push_back(n);
-        }
-      }
+      this->Ring[v] = 0;
     }
-    if (this->Members.size() > MostVertices)
+    if (members.size() > MostVertices)
     {
       return false;
     }
@@ -133,8 +126,6 @@ public:
     return least <= FarthestTip * scale && std::sqrt(squares / planes) <= MeetingDistance * scale;
   }
 
-  const std::vector<Index>& TheMembers() const { return this->Members; }
-
 private:
   const Surroundings& Around;
   const Flags& Region;
@@ -148,32 +139,22 @@ std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region, La
 {
   std::vector<Apex> apexes;
   ApexFinder finder(around, region);
-  Flags seen(region.size(), 0);
-  for (Index v = 0; v < around.TheMesh.VertexCount(); ++v)
-  {
-    if (!region[v] || seen[v])
+  ForEachGroup(around.TheConnectivity, region, 1,
+    [&](const std::vector<Index>& members)
     {
-      continue;
-    }
-    const bool alone = finder.Gather(v);
-    for (Index member : finder.TheMembers())
-    {
-      seen[member] = 1;
-    }
-    Apex apex{ NoIndex, Vec3::Zero(), {} };
-    if (!alone || !finder.FindTip(apex))
-    {
-      continue;
-    }
-    const Index label = labelling.FirstApexLabel + static_cast<Index>(apexes.size());
-    for (Index member : finder.TheMembers())
-    {
-      labelling.Labels[member] = label;
-      labelling.Sides[labelling.SidesOf[member]].clear();
-    }
-    apex.Members = finder.TheMembers();
-    apexes.push_back(apex);
-  }
+      Apex apex{ NoIndex, Vec3::Zero(), members };
+      if (!finder.Gather(members) || !finder.FindTip(apex))
+      {
+        return;
+      }
+      const Index label = labelling.FirstApexLabel + static_cast<Index>(apexes.size());
+      for (Index v : members)
+      {
+        labelling.Labels[v] = label;
+        labelling.Sides[labelling.SidesOf[v]].clear();
+      }
+      apexes.push_back(std::move(apex));
+    });
   return apexes;
 }
 }

@@ -3,6 +3,7 @@
 
 #include "Labelling.h"
 
+#include "Core/Flagged.h"
 #include "Unexplained.h"
 
 namespace arris
@@ -12,27 +13,13 @@ namespace
 /// Of the progress, what the first fit takes; the second is of few vertices.
 constexpr double FirstFit = 0.9;
 
-std::vector<Index> VerticesIn(const Flags& region)
-{
-  std::vector<Index> vertices;
-  for (std::size_t v = 0; v < region.size(); ++v)
-  {
-    if (region[v])
-    {
-      vertices.push_back(static_cast<Index>(v));
-    }
-  }
-  return vertices;
-}
-
 bool FitSides(const Surroundings& around, const Flags& region, const Patches& patches,
   const std::vector<Index>& vertices, const Monitor& monitor, Labelling& labelling)
 {
   return ParallelFor(static_cast<Index>(vertices.size()), monitor,
     [&](Index begin, Index end)
     {
-      SideFinder finder(around.TheMesh, around.TheConnectivity, around.TheFaces, around.Scales,
-        around.Flatness, around.Rounding, region, patches);
+      SideFinder finder(around, region, patches);
       for (Index i = begin; i < end; ++i)
       {
         labelling.Sides[labelling.SidesOf[vertices[i]]] = finder.Find(vertices[i]);
@@ -46,7 +33,7 @@ bool LabelVertices(
 {
   Patches patches = SortIntoPatches(
     around.TheMesh, around.TheConnectivity, around.TheFaces, around.Flatness, region);
-  const std::vector<Index> damaged = VerticesIn(region);
+  const std::vector<Index> damaged = Flagged(region);
   labelling.SidesOf.assign(around.TheMesh.Points.size(), NoIndex);
   for (std::size_t i = 0; i < damaged.size(); ++i)
   {

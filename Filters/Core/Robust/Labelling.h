@@ -12,17 +12,6 @@
 
 namespace arris
 {
-/// All that is known of the mesh before sides are fitted.
-struct Surroundings
-{
-  const Mesh& TheMesh;
-  const Connectivity& TheConnectivity;
-  const Faces& TheFaces;
-  const std::vector<double>& Scales;
-  const std::vector<double>& Flatness; ///< λτ of each vertex
-  double Rounding; ///< how far the sampling has rounded edges, 0 to 1
-};
-
 /// All that has been found out about the damaged vertices.
 struct Labelling
 {

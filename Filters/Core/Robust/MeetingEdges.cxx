@@ -3,6 +3,7 @@
 
 #include "MeetingEdges.h"
 
+#include "Core/Flagged.h"
 #include "Core/Parallel.h"
 #include "Region.h"
 
@@ -13,36 +14,17 @@ namespace
 constexpr int Passes = 2; // the second for what the first has uncovered
 constexpr int MostEdges = 5; // as far as the sides of a turn reach
 
-/// The vertices outside the region but no more than this many edges away from it.
-std::vector<Index> VerticesBeside(
-  const Connectivity& connectivity, const Flags& region, int mostEdges)
+/// The vertices outside the region but no more than `MostEdges` away from it.
+std::vector<Index> VerticesBeside(const Connectivity& connectivity, const Flags& region)
 {
-  Flags seen = region;
-  std::vector<Index> front;
-  for (std::size_t v = 0; v < region.size(); ++v)
-  {
-    if (region[v])
-    {
-      front.push_back(static_cast<Index>(v));
-    }
-  }
+  const std::vector<int> away = EdgesAwayFrom(connectivity, region, MostEdges);
   std::vector<Index> beside;
-  for (int step = 0; step < mostEdges; ++step)
+  for (std::size_t v = 0; v < away.size(); ++v)
   {
-    std::vector<Index> next;
-    for (Index v : front)
+    if (away[v] > 0)
     {
-      for (Index n : connectivity.NeighborsOfVertex[v])
-      {
-        if (!seen[n])
-        {
-          seen[n] = 1;
-          next.push_back(n);
-        }
-      }
+      beside.push_back(static_cast<Index>(v));
     }
-    beside.insert(beside.end(), next.begin(), next.end());
-    front.swap(next);
   }
   return beside;
 }
@@ -53,7 +35,7 @@ void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, cons
 {
   for (int pass = 0; pass < Passes; ++pass)
   {
-    const std::vector<Index> beside = VerticesBeside(connectivity, region, MostEdges);
+    const std::vector<Index> beside = VerticesBeside(connectivity, region);
     Flags found(beside.size(), 0);
     ParallelFor(static_cast<Index>(beside.size()),
       [&](Index begin, Index end)

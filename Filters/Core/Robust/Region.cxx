@@ -3,6 +3,8 @@
 
 #include "Region.h"
 
+#include "Core/Flagged.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -70,39 +72,10 @@ public:
   }
 
 private:
-  /// Calls visit(group) for each connected group of vertices with the flag.
-  template <typename Visit>
-  void ForEachGroup(const Flags& flags, unsigned char wanted, Visit&& visit) const
-  {
-    Flags seen(flags.size(), 0);
-    std::vector<Index> group;
-    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
-    {
-      if (seen[v] || flags[v] != wanted)
-      {
-        continue;
-      }
-      group.assign(1, v);
-      seen[v] = 1;
-      for (std::size_t next = 0; next < group.size(); ++next)
-      {
-        for (Index n : this->TheConnectivity.NeighborsOfVertex[group[next]])
-        {
-          if (!seen[n] && flags[n] == wanted)
-          {
-            seen[n] = 1;
-            group.push_back(n);
-          }
-        }
-      }
-      visit(group);
-    }
-  }
-
   void DropSmallGroups()
   {
     Flags kept = this->Seeds;
-    this->ForEachGroup(this->Seeds, 1,
+    ForEachGroup(this->TheConnectivity, this->Seeds, 1,
       [&](const std::vector<Index>& group)
       {
         if (group.size() < SmallestSeedGroup)
@@ -133,14 +106,7 @@ private:
         now[v] = { std::min(turn.Jump / turn.WideJump, 1.5), 1.0 };
       }
     }
-    std::vector<Index> seeds;
-    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
-    {
-      if (this->Seeds[v])
-      {
-        seeds.push_back(v);
-      }
-    }
+    const std::vector<Index> seeds = Flagged(this->Seeds);
     std::vector<std::array<double, 2>> next = now;
     for (int pass = 0; pass < Smoothing; ++pass)
     {
@@ -270,7 +236,7 @@ private:
   {
     constexpr std::size_t LargestHole = 2;
     Flags filled = region;
-    this->ForEachGroup(region, 0,
+    ForEachGroup(this->TheConnectivity, region, 0,
       [&](const std::vector<Index>& group)
       {
         if (group.size() <= LargestHole)

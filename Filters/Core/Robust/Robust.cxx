@@ -4,6 +4,7 @@
 #include "Robust.h"
 
 #include "Apexes.h"
+#include "Core/Flagged.h"
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
 #include "Core/Thinning.h"
@@ -16,6 +17,7 @@
 #include "Untangle.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace arris
 {
@@ -44,39 +46,14 @@ std::vector<Turn> MeasureTurns(const Mesh& mesh, const Connectivity& connectivit
 /// For each vertex of the region how many edges it is away from the intact ones; -1 outside.
 std::vector<int> DistancesFromIntact(const Connectivity& connectivity, const Flags& region)
 {
-  std::vector<int> rounds(region.size(), NeverSharp);
-  constexpr int Unreached = 0;
-  std::vector<Index> front;
-  for (std::size_t v = 0; v < region.size(); ++v)
+  Flags intact(region.size());
+  std::transform(region.begin(), region.end(), intact.begin(),
+    [](unsigned char damaged) { return static_cast<unsigned char>(damaged ? 0 : 1); });
+  std::vector<int> rounds = EdgesAwayFrom(connectivity, intact, std::numeric_limits<int>::max());
+  for (std::size_t v = 0; v < rounds.size(); ++v)
   {
-    if (region[v])
-    {
-      rounds[v] = Unreached;
-    }
-    else
-    {
-      front.push_back(static_cast<Index>(v));
-    }
-  }
-  for (int round = 1; !front.empty(); ++round)
-  {
-    std::vector<Index> next;
-    for (Index v : front)
-    {
-      for (Index n : connectivity.NeighborsOfVertex[v])
-      {
-        if (rounds[n] == Unreached)
-        {
-          rounds[n] = round;
-          next.push_back(n);
-        }
-      }
-    }
-    front.swap(next);
-  }
-  for (int& round : rounds) // a part that is damaged all over has no intact vertex to count from
-  {
-    round = round == Unreached ? 1 : round;
+    // A part that is damaged all over has no intact vertex to count from.
+    rounds[v] = region[v] ? std::max(rounds[v], 1) : NeverSharp;
   }
   return rounds;
 }
@@ -159,14 +136,10 @@ RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
 
   const StopWatch sharpening;
   Placement placement(mesh, connectivity, labelling, scales, ridge.FaceLabels);
-  std::vector<Index> damaged;
-  for (Index v = 0; v < mesh.VertexCount(); ++v)
+  const std::vector<Index> damaged = Flagged(result.Region);
+  for (Index v : damaged)
   {
-    if (result.Region[v])
-    {
-      placement.Place(v);
-      damaged.push_back(v);
-    }
+    placement.Place(v);
   }
   for (const Apex& apex : apexes)
   {

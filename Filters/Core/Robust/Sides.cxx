@@ -42,7 +42,7 @@ constexpr double LikeNormal = 25.0;
 std::vector<Side> SideFinder::Find(Index vertex)
 {
   std::vector<Side> sides;
-  const double scale = this->Scales[vertex];
+  const double scale = this->Around.Scales[vertex];
   this->GatherNear(vertex, Reach * scale);
   for (const Near& near : this->Static) // nearest first
   {
@@ -64,7 +64,7 @@ std::vector<Side> SideFinder::Find(Index vertex)
     this->Fit(vertex, side);
     solid.AddSheet(side.Surface, this->Samples);
   }
-  const Vec3& x = this->TheMesh.Points[vertex];
+  const Vec3& x = this->Around.TheMesh.Points[vertex];
   const double active = solid.Value(x);
   constexpr double TieBreaker = 0.02;
   for (Side& side : sides)
@@ -77,16 +77,16 @@ std::vector<Side> SideFinder::Find(Index vertex)
 
 void SideFinder::GatherNear(Index vertex, double radius)
 {
-  const Vec3& x = this->TheMesh.Points[vertex];
+  const Vec3& x = this->Around.TheMesh.Points[vertex];
   this->Seen.Clear();
   this->Seen.Insert(vertex);
   this->Queue.assign(1, vertex);
   this->Static.clear();
   for (std::size_t next = 0; next < this->Queue.size(); ++next)
   {
-    for (Index n : this->TheConnectivity.NeighborsOfVertex[this->Queue[next]])
+    for (Index n : this->Around.TheConnectivity.NeighborsOfVertex[this->Queue[next]])
     {
-      const double distance = (this->TheMesh.Points[n] - x).norm();
+      const double distance = (this->Around.TheMesh.Points[n] - x).norm();
       if (distance > radius || !this->Seen.Insert(n))
       {
         continue;
@@ -105,11 +105,11 @@ void SideFinder::GatherNear(Index vertex, double radius)
 
 void SideFinder::Fit(Index vertex, Side& side)
 {
-  const double scale = this->Scales[vertex];
+  const double scale = this->Around.Scales[vertex];
   const double radius = side.Distance + SampleDepth * scale;
   const double width = side.Distance + WeightDepth * scale;
   const double likeCosine = std::cos(LikeNormal * Pi / 180.0);
-  const double borderWeight = Mixed(BorderWeight, BlendedBorderWeight, this->Rounding);
+  const double borderWeight = Mixed(BorderWeight, BlendedBorderWeight, this->Around.Rounding);
   Vec3 normal = Vec3::Zero();
   Index piece = NoIndex;
   this->Samples.clear();
@@ -124,24 +124,26 @@ void SideFinder::Fit(Index vertex, Side& side)
     if (piece == NoIndex && own)
     {
       piece = this->ThePatches.PieceOf[v];
-      normal = this->TheFaces.VertexNormals[v];
+      normal = this->Around.TheFaces.VertexNormals[v];
     }
     const bool alike = piece != NoIndex && this->ThePatches.PieceOf[v] == piece &&
-      this->TheFaces.VertexNormals[v].dot(normal) >= likeCosine;
+      this->Around.TheFaces.VertexNormals[v].dot(normal) >= likeCosine;
     if (!own && !alike)
     {
       continue;
     }
     bool border = false;
-    for (Index n : this->TheConnectivity.NeighborsOfVertex[v])
+    for (Index n : this->Around.TheConnectivity.NeighborsOfVertex[v])
     {
       border = border || this->Region[n];
     }
     const double d = near.Distance / width;
-    const double weight =
-      std::exp(-2.0 * d * d - this->Flatness[v] / FlatnessScale) * (border ? borderWeight : 1.0);
-    this->Samples.push_back({ this->TheMesh.Points[v], this->TheFaces.VertexNormals[v], weight });
+    const double weight = std::exp(-2.0 * d * d - this->Around.Flatness[v] / FlatnessScale) *
+      (border ? borderWeight : 1.0);
+    this->Samples.push_back(
+      { this->Around.TheMesh.Points[v], this->Around.TheFaces.VertexNormals[v], weight });
   }
-  side.Surface = Sheet(this->Samples, scale, Mixed(CurvedGain, BlendedCurvedGain, this->Rounding));
+  side.Surface =
+    Sheet(this->Samples, scale, Mixed(CurvedGain, BlendedCurvedGain, this->Around.Rounding));
 }
 }

@@ -13,6 +13,17 @@
 
 namespace arris
 {
+/// All that is known of the mesh before sides are fitted.
+struct Surroundings
+{
+  const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
+  const Faces& TheFaces;
+  const std::vector<double>& Scales;
+  const std::vector<double>& Flatness; ///< λτ of each vertex
+  double Rounding; ///< how far the sampling has rounded edges, 0 to 1
+};
+
 /// One of the faces around a vertex.
 struct Side
 {
@@ -26,15 +37,8 @@ struct Side
 class SideFinder
 {
 public:
-  SideFinder(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
-    const std::vector<double>& scales, const std::vector<double>& flatness, double rounding,
-    const Flags& region, const Patches& patches)
-    : TheMesh(mesh)
-    , TheConnectivity(connectivity)
-    , TheFaces(faces)
-    , Scales(scales)
-    , Flatness(flatness)
-    , Rounding(rounding)
+  SideFinder(const Surroundings& around, const Flags& region, const Patches& patches)
+    : Around(around)
     , Region(region)
     , ThePatches(patches)
   {
@@ -54,12 +58,7 @@ private:
   void GatherNear(Index vertex, double radius);
   void Fit(Index vertex, Side& side);
 
-  const Mesh& TheMesh;
-  const Connectivity& TheConnectivity;
-  const Faces& TheFaces;
-  const std::vector<double>& Scales;
-  const std::vector<double>& Flatness;
-  double Rounding;
+  const Surroundings& Around;
   const Flags& Region;
   const Patches& ThePatches;
   IndexSet Seen;

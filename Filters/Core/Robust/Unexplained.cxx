@@ -3,6 +3,8 @@
 
 #include "Unexplained.h"
 
+#include "Core/Flagged.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,31 +40,14 @@ std::vector<Index> ReleaseUnexplained(const Surroundings& around, const std::vec
     unexplained[v] = IsExplained(around, labelling, v) ? 0 : 1;
   }
   std::vector<Index> released;
-  std::vector<Index> group;
-  for (Index v : damaged)
-  {
-    if (!unexplained[v])
+  ForEachGroup(around.TheConnectivity, unexplained, 1,
+    [&](const std::vector<Index>& group)
     {
-      continue;
-    }
-    group.assign(1, v);
-    unexplained[v] = 0;
-    for (std::size_t next = 0; next < group.size(); ++next)
-    {
-      for (Index n : around.TheConnectivity.NeighborsOfVertex[group[next]])
+      if (group.size() >= SmallestFace)
       {
-        if (unexplained[n])
-        {
-          unexplained[n] = 0;
-          group.push_back(n);
-        }
+        released.insert(released.end(), group.begin(), group.end());
       }
-    }
-    if (group.size() >= SmallestFace)
-    {
-      released.insert(released.end(), group.begin(), group.end());
-    }
-  }
+    });
   std::sort(released.begin(), released.end());
   for (Index v : released)
   {
