@@ -97,10 +97,7 @@ Command AddEdges(CLI::App& program)
   command
     ->add_option("--corners", options->Corners, "Where the corners go: .vtp, .vtk, .obj or .csv")
     ->type_name("FILE");
-  command
-    ->add_option(
-      "--faces", options->Faces, "Where the table of the faces and their shapes goes: .csv")
-    ->type_name("FILE");
+  AddFaces(*command, options->Faces);
   command
     ->add_option("--resample", options->Features.ResampleStep,
       "Put the curves' points at about this distance (default:\nthe mesh's own points)")

@@ -23,6 +23,12 @@ inline void AddOutput(CLI::App& command, std::string& file, const char* what)
   command.add_option("-o,--output", file, what)->required()->type_name("OUT");
 }
 
+inline void AddFaces(CLI::App& command, std::string& file)
+{
+  command.add_option("--faces", file, "Where the table of the faces and their shapes goes: .csv")
+    ->type_name("FILE");
+}
+
 inline void AddPicture(CLI::App& command, std::string& file, const char* what)
 {
   command.add_option("--picture", file, what)->type_name("FILE.png")->group("General");

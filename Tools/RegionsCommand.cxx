@@ -66,10 +66,7 @@ Command AddRegions(CLI::App& program)
     "regions", "Number the smooth faces between the feature curves of a mesh: array SurfaceId");
   AddInput(*command, options->Input, MeshInput);
   AddOutput(*command, options->Output, "Where to: .vtp or .vtk, which hold arrays");
-  command
-    ->add_option(
-      "--faces", options->Faces, "Where the table of the faces and their shapes goes: .csv")
-    ->type_name("FILE");
+  AddFaces(*command, options->Faces);
   AddFeatureOptions(*command, options->Features);
   AddSessionOptions(*command, options->Common);
   command->footer("Example:\n"
