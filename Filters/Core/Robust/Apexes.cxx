@@ -47,15 +47,15 @@ public:
   /// is too large or comes near another part.
   bool Gather(const std::vector<Index>& members)
   {
+    if (members.size() > MostVertices)
+    {
+      return false;
+    }
     this->Members = members;
     this->Rim.clear();
     for (Index v : members)
     {
       this->Ring[v] = 0;
-    }
-    if (members.size() > MostVertices)
-    {
-      return false;
     }
     std::vector<Index> reached = this->Members;
     bool alone = true;
@@ -76,13 +76,13 @@ public:
         }
       }
     }
-    for (std::size_t i = this->Members.size(); i < reached.size(); ++i)
+    for (Index v : reached)
     {
-      if (this->Ring[reached[i]] >= NearestRing)
+      if (this->Ring[v] >= NearestRing)
       {
-        this->Rim.push_back(reached[i]);
+        this->Rim.push_back(v);
       }
-      this->Ring[reached[i]] = -1;
+      this->Ring[v] = -1;
     }
     return alone && this->Rim.size() >= LeastPlanes;
   }
