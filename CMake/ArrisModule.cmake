@@ -42,19 +42,23 @@ set(sources
   Filters/Core/Fits/FirstGuess.cxx
   Filters/Core/Fits/Primitive.cxx
   Filters/Core/Fits/Refine.cxx
+  Filters/Core/Robust/Account.cxx
   Filters/Core/Robust/Apexes.cxx
+  Filters/Core/Robust/Denoised.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/Labels.cxx
   Filters/Core/Robust/Labelling.cxx
   Filters/Core/Robust/LocalSolid.cxx
   Filters/Core/Robust/MeetingEdges.cxx
   Filters/Core/Robust/MeetSheets.cxx
+  Filters/Core/Robust/Neighbourhoods.cxx
   Filters/Core/Robust/Patches.cxx
   Filters/Core/Robust/Placement.cxx
   Filters/Core/Robust/Region.cxx
   Filters/Core/Robust/Retreat.cxx
   Filters/Core/Robust/Ridge.cxx
   Filters/Core/Robust/Robust.cxx
+  Filters/Core/Robust/Roughness.cxx
   Filters/Core/Robust/Sheet.cxx
   Filters/Core/Robust/Sides.cxx
   Filters/Core/Robust/ThinFaces.cxx

@@ -32,9 +32,10 @@ std::string ProblemWithMethod(int method)
 vtkSharpEdgeReconstruction::vtkSharpEdgeReconstruction()
   : Method(ROBUST)
   , Window(0.0)
-  , WindowRatio(arris::DefaultWindowRatio)
-  , SharpAngle(arris::DefaultSharpAngle)
+  , WindowRatio(0.0)
+  , SharpAngle(0.0)
   , WindowSearch(CONNECTED)
+  , Denoise(false)
 {
 }
 
@@ -47,8 +48,9 @@ int vtkSharpEdgeReconstruction::RequestData(
 
   arris::Surface surface;
   const std::string problem = arris::FirstProblem(
-    { arris::ProblemWithWindow(this->Window, this->WindowRatio, this->WindowSearch),
-      arris::ProblemWithAngle("SharpAngle", this->SharpAngle), ProblemWithMethod(this->Method) },
+    { arris::ProblemWithOptionalWindow(this->Window, this->WindowRatio, this->WindowSearch),
+      arris::ProblemWithOptionalAngle("SharpAngle", this->SharpAngle),
+      ProblemWithMethod(this->Method) },
     [&] { return arris::ReadSurface(input, output, surface); });
   if (!problem.empty())
   {
@@ -60,14 +62,15 @@ int vtkSharpEdgeReconstruction::RequestData(
   bool finished = false;
   if (this->Method == ROBUST)
   {
-    finished = arris::RecoverByRobust(surface, monitor, output);
+    finished = this->RecoverRobustly(surface, monitor, output);
   }
   else
   {
     arris::PaperParameters parameters;
-    parameters.WindowRadius =
-      arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
-    parameters.SharpAngle = this->SharpAngle;
+    parameters.WindowRadius = arris::WindowRadius(this->Window,
+      this->WindowRatio > 0.0 ? this->WindowRatio : arris::DefaultWindowRatio,
+      surface.AverageEdgeLength);
+    parameters.SharpAngle = this->SharpAngle > 0.0 ? this->SharpAngle : arris::DefaultSharpAngle;
     parameters.Search = static_cast<arris::WindowSearch>(this->WindowSearch);
     finished = arris::RecoverByPaper(surface, parameters, monitor, output);
   }
@@ -79,6 +82,29 @@ int vtkSharpEdgeReconstruction::RequestData(
 }
 
 //------------------------------------------------------------------------------
+bool vtkSharpEdgeReconstruction::RecoverRobustly(
+  const arris::Surface& surface, const arris::Monitor& monitor, vtkPolyData* output)
+{
+  arris::RobustParameters parameters;
+  parameters.WindowRadius =
+    arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
+  parameters.SharpAngle = this->SharpAngle;
+  parameters.Denoise = this->Denoise;
+  if (!arris::RecoverByRobust(surface, parameters, monitor, output))
+  {
+    return false;
+  }
+  if (arris::IsRough(output))
+  {
+    vtkWarningMacro(
+      "the mesh is rough, as noise and segmentations are: edges were found and fitted "
+      << "on a smoothed copy of it"
+      << (this->Denoise ? "" : "; Denoise moves the smooth faces onto that copy as well"));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkSharpEdgeReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -87,4 +113,5 @@ void vtkSharpEdgeReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WindowRatio: " << this->WindowRatio << "\n";
   os << indent << "SharpAngle: " << this->SharpAngle << "\n";
   os << indent << "WindowSearch: " << this->WindowSearch << "\n";
+  os << indent << "Denoise: " << (this->Denoise ? "On" : "Off") << "\n";
 }

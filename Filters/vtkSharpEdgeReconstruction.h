@@ -15,9 +15,21 @@
  * pass. Output: the mesh with the same triangles and moved points, all the input's arrays, and
  * the point arrays `USSOD`, `NormalDeviation`, `SharpRegion`, `ThinningRound`, `SkeletonRole` and
  * `Displacement` as the three filters describe them, and the field data `Lambda`, `SharpAngle`,
- * `AverageEdgeLength`, `ClassificationSeconds`, `ThinningSeconds` and `SharpeningSeconds`. The
- * robust method has a window of its own at each vertex (0.75 local edge lengths; `Lambda` is the
- * mean) and no `SharpAngle`; its `ThinningRound` is the distance in edges from the intact surface.
+ * `AverageEdgeLength`, `ClassificationSeconds`, `ThinningSeconds` and `SharpeningSeconds`.
+ *
+ * The robust method gives an account of itself in three more point arrays and two field values:
+ * - `Window`: the radius of the vertex's window (0.75 local edge lengths unless set; `Lambda` is
+ * the mean); `ThinningRound` is the distance in edges from the intact surface;
+ * - `EdgeAngle`: the turn between the smooth faces on both sides of the vertex, in degrees, 0 where
+ *   its window is flat. An edge begins at the field value `SharpAngle`;
+ * - `Outcome`: 0 intact; 1 moved; 2 in the sharp region but right already; left alone in it as 3 no
+ *   intact face is near, or 4 it belongs too far away; 5 held back, wholly or in part, as a
+ * triangle would have folded over or cut another; 6 outside the sharp region, but denoised;
+ * - `Roughness` (field): 0 for a mesh that is smooth away from its edges, up to 1 for a rough one;
+ * - `Rounding` (field): 0 where sampling has cut the edges off, up to 1 where it has rounded them.
+ *
+ * A rough mesh (noise, a segmentation) is recognised by itself and worked on in a smoothed copy; a
+ * vtkWarningMacro says so.
  *
  * Vertices outside the sharp region keep their exact coordinates; points keep their precision;
  * normals that came with the input stay as arrays but not as the active ones, as they no longer
@@ -39,6 +51,12 @@
 
 #include <vtkPolyDataAlgorithm.h>
 
+namespace arris
+{
+class Monitor;
+struct Surface;
+}
+
 class ARRISFILTERS_EXPORT vtkSharpEdgeReconstruction : public vtkPolyDataAlgorithm
 {
 public:
@@ -49,8 +67,8 @@ public:
   ///@{
   /// ROBUST (the default) needs no parameters: its windows follow the local edge length, faces are
   /// carried on with their curvature, and no triangle is left folded over or cutting another.
-  /// Window, WindowRatio, SharpAngle and WindowSearch do not apply to it. PAPER follows the paper
-  /// step by step.
+  /// Window, WindowRatio and SharpAngle are obeyed where they are set; WindowSearch does not apply
+  /// to it. PAPER follows the paper step by step.
   enum MethodType
   {
     PAPER = 0,
@@ -63,23 +81,26 @@ public:
   ///@}
 
   ///@{
-  /// The window radius λ in the length unit of the points. 0, the default, takes WindowRatio times
-  /// the average edge length instead. Range: 0 and up.
+  /// The window radius λ in the length unit of the points, the same everywhere. 0, the default,
+  /// leaves it to WindowRatio. Range: 0 and up.
   vtkSetMacro(Window, double);
   vtkGetMacro(Window, double);
   ///@}
 
   ///@{
-  /// The window radius λ as a multiple of the average edge length, used while Window is 0. The
-  /// paper uses 0.5 to 1.5 and starts from 1 for regular, 1.5 for irregular meshes. Range: above 0;
-  /// default 0.75.
+  /// The window radius λ as a multiple of the average edge length, used while Window is 0. 0, the
+  /// default, leaves it to the method: PAPER takes 0.75, ROBUST 0.75 times the *local* edge length.
+  /// The paper uses 0.5 to 1.5 and starts from 1 for regular, 1.5 for irregular meshes. Range: 0
+  /// and up.
   vtkSetMacro(WindowRatio, double);
   vtkGetMacro(WindowRatio, double);
   ///@}
 
   ///@{
-  /// The normal deviation in the window from which a vertex counts as sharp, in degrees: θ with
-  /// κλ = 1 - cos θ (section 4.2). Range: above 0, at most 180; default 41.41, the paper's 0.25.
+  /// The angle from which on an edge is sharp, in degrees. For PAPER the normal deviation in the
+  /// window: θ with κλ = 1 - cos θ (section 4.2). For ROBUST the turn between the smooth faces on
+  /// both sides. 0, the default, leaves it to the method: PAPER takes 41.41, the paper's 0.25;
+  /// ROBUST 16, on rough meshes up to 22. Range: 0 to 180.
   vtkSetMacro(SharpAngle, double);
   vtkGetMacro(SharpAngle, double);
   ///@}
@@ -99,6 +120,14 @@ public:
   void SetWindowSearchToSpatial() { this->SetWindowSearch(SPATIAL); }
   ///@}
 
+  ///@{
+  /// Whether on a rough mesh the smooth faces are moved onto its smoothed copy as well (ROBUST).
+  /// Off, the default, leaves every vertex outside the sharp region where it is.
+  vtkSetMacro(Denoise, bool);
+  vtkGetMacro(Denoise, bool);
+  vtkBooleanMacro(Denoise, bool);
+  ///@}
+
 protected:
   vtkSharpEdgeReconstruction();
   ~vtkSharpEdgeReconstruction() override = default;
@@ -110,8 +139,12 @@ protected:
   double WindowRatio;
   double SharpAngle;
   int WindowSearch;
+  bool Denoise;
 
 private:
+  bool RecoverRobustly(
+    const arris::Surface& surface, const arris::Monitor& monitor, vtkPolyData* output);
+
   vtkSharpEdgeReconstruction(const vtkSharpEdgeReconstruction&) = delete;
   void operator=(const vtkSharpEdgeReconstruction&) = delete;
 };

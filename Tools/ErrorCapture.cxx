@@ -106,6 +106,11 @@ std::string ErrorCapture::FirstError() const
   return this->Listener->Error;
 }
 
+std::string ErrorCapture::FirstWarning() const
+{
+  return this->Listener->Warning;
+}
+
 std::string ErrorCapture::FirstWord() const
 {
   const std::string& error = this->Listener->Error;

@@ -30,7 +30,10 @@ public:
   /// The first error as one line, without VTK's file, line and address; empty if there was none.
   std::string FirstError() const;
 
-  /// The same; without an error the first warning; else what was written to std::cerr.
+  /// The same of warnings.
+  std::string FirstWarning() const;
+
+  /// The first error; without an error the first warning; else what was written to std::cerr.
   std::string FirstWord() const;
 
 private:

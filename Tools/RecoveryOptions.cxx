@@ -19,7 +19,8 @@ constexpr const char* WindowRatioOption = "--window-ratio";
 constexpr const char* SharpAngleOption = "--sharp-angle";
 constexpr const char* WindowSearchOption = "--window-search";
 
-void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const std::string& group)
+void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const std::string& group,
+  const std::string& ratioHelp, const std::string& angleHelp)
 {
   CLI::Option* window = command
                           .add_option(WindowOption, options.Window,
@@ -27,18 +28,12 @@ void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const s
                           ->check(Positive())
                           ->type_name("LENGTH")
                           ->group(group);
-  command
-    .add_option(WindowRatioOption, options.WindowRatio,
-      "Window radius as a multiple of the average edge length\n(default " +
-        Number(DefaultWindowRatio) + "; 0.5 to 1.5 are sensible)")
+  command.add_option(WindowRatioOption, options.WindowRatio, ratioHelp)
     ->check(Positive())
     ->type_name("R")
     ->excludes(window)
     ->group(group);
-  command
-    .add_option(SharpAngleOption, options.SharpAngle,
-      "Vertices are sharp where the normals in their window\ndeviate by this (default " +
-        Number(DefaultSharpAngle) + ")")
+  command.add_option(SharpAngleOption, options.SharpAngle, angleHelp)
     ->check(Angle())
     ->type_name("DEGREES")
     ->group(group);
@@ -53,7 +48,11 @@ void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const s
 
 void AddClassificationOptions(CLI::App& command, ClassificationOptions& options)
 {
-  AddWindowOptions(command, options, "Method");
+  AddWindowOptions(command, options, "Method",
+    "Window radius as a multiple of the average edge length\n(default " +
+      Number(DefaultWindowRatio) + "; 0.5 to 1.5 are sensible)",
+    "Vertices are sharp where the normals in their window\ndeviate by this (default " +
+      Number(DefaultSharpAngle) + ")");
 }
 
 void AddRecoveryOptions(CLI::App& command, RecoveryOptions& options)
@@ -64,17 +63,27 @@ void AddRecoveryOptions(CLI::App& command, RecoveryOptions& options)
     ->check(OneOf({ "paper", "robust" }))
     ->type_name("paper|robust")
     ->group("Method");
-  AddWindowOptions(command, options, "Method paper");
+  AddWindowOptions(command, options, "Method",
+    "Window radius as a multiple of the average edge length\n(default: " +
+      Number(DefaultWindowRatio) + "; robust: of the local edge length)",
+    "Edges are sharp from this turn on (default: robust\nchooses; paper " +
+      Number(DefaultSharpAngle) + ", of the normals in a window)");
+  command
+    .add_flag("--denoise", options.Denoise,
+      "Smooth faces of rough meshes (noise, segmentations) are\nmoved as well, not only their "
+      "edges")
+    ->group("Method");
   command.callback(
     [&command, &options]
     {
-      for (const char* option :
-        { WindowOption, WindowRatioOption, SharpAngleOption, WindowSearchOption })
+      const bool paper = options.Method == "paper";
+      if (!paper && command.count(WindowSearchOption) > 0)
       {
-        if (options.Method != "paper" && command.count(option) > 0)
-        {
-          throw CLI::ValidationError(option, "applies to --method paper only");
-        }
+        throw CLI::ValidationError(WindowSearchOption, "applies to --method paper only");
+      }
+      if (paper && options.Denoise)
+      {
+        throw CLI::ValidationError("--denoise", "applies to --method robust only");
       }
     });
 }

@@ -29,12 +29,13 @@ struct ClassificationOptions
 struct RecoveryOptions : ClassificationOptions
 {
   std::string Method = "robust"; ///< or "paper"
+  bool Denoise = false;
 };
 
 /// --window, --window-ratio, --sharp-angle, --window-search.
 void AddClassificationOptions(CLI::App& command, ClassificationOptions& options);
 
-/// These and --method.
+/// These, --method and --denoise.
 void AddRecoveryOptions(CLI::App& command, RecoveryOptions& options);
 }
 

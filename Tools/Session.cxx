@@ -81,6 +81,15 @@ void Session::Say(const std::string& line) const
   }
 }
 
+void Session::Warn(const std::string& warning)
+{
+  this->Report["warnings"].push_back(warning);
+  if (!this->Options.Quiet)
+  {
+    std::fputs(("arris: warning: " + warning + "\n").c_str(), stderr);
+  }
+}
+
 Session::Timer Session::Time(const std::string& stage)
 {
   return Timer(*this, stage);

@@ -50,6 +50,9 @@ public:
   /// Prints a line of the result, unless --quiet.
   void Say(const std::string& line) const;
 
+  /// Puts a warning into the report, and on standard error unless --quiet.
+  void Warn(const std::string& warning);
+
   /// Counts the seconds until the value it returns goes as those of this stage.
   class Timer;
   Timer Time(const std::string& stage);

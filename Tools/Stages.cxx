@@ -94,6 +94,37 @@ void ReportWindow(Session& session, vtkPolyData* mesh, const ClassificationOptio
   session.Say("window radius " + Number(lambda) + ", sharp angle " + Number(angle) + " degrees");
 }
 
+/// What the robust method chose, and what became of the vertices of the sharp region.
+void ReportAccount(Session& session, vtkPolyData* mesh, const RecoveryOptions& options)
+{
+  const double lambda = FieldNumber(mesh, array::Lambda);
+  const double edge = FieldNumber(mesh, array::AverageEdgeLength);
+  const double angle = FieldNumber(mesh, array::SharpAngle);
+  Json& parameters = session.Report["parameters"];
+  parameters["window"] = lambda;
+  parameters["window_ratio"] = edge > 0.0 ? lambda / edge : 0.0;
+  double range[2] = { lambda, lambda };
+  if (vtkDataArray* windows = mesh->GetPointData()->GetArray(array::Window))
+  {
+    windows->GetRange(range);
+  }
+  parameters["window_range"] = { range[0], range[1] };
+  parameters["sharp_angle"] = angle;
+  parameters["denoise"] = options.Denoise;
+  session.Report["recognised"] = { { "roughness", FieldNumber(mesh, array::Roughness) },
+    { "rounding", FieldNumber(mesh, array::Rounding) } };
+  Json& outcomes = session.Report["outcomes"];
+  for (const auto& [outcome, name] :
+    { std::pair{ Outcome::Moved, "moved" }, std::pair{ Outcome::Right, "right_already" },
+      std::pair{ Outcome::NoFace, "no_face_near" }, std::pair{ Outcome::TooFar, "too_far" },
+      std::pair{ Outcome::HeldBack, "held_back" }, std::pair{ Outcome::Smoothed, "smoothed" } })
+  {
+    outcomes[name] = CountValue(mesh, array::Outcome, static_cast<double>(outcome));
+  }
+  session.Say("windows of " + Number(range[0]) + " to " + Number(range[1]) + ", edges from " +
+    Number(angle) + " degrees");
+}
+
 /// The sharp region of any method.
 void ReportRegion(Session& session, vtkPolyData* mesh)
 {
@@ -153,6 +184,11 @@ void RunStage(
   {
     throw Failure(name, cause, "repair the mesh first");
   }
+  const std::string warning = capture.FirstWarning();
+  if (!warning.empty())
+  {
+    session.Warn(name + ": " + warning);
+  }
 }
 
 void ReportMesh(Session& session, vtkPolyData* mesh, const std::string& name)
@@ -186,6 +222,7 @@ vtkSmartPointer<vtkPolyData> Recover(
   filter->SetMethod(options.Method == "paper" ? vtkSharpEdgeReconstruction::PAPER
                                               : vtkSharpEdgeReconstruction::ROBUST);
   SetClassification(filter.Get(), options);
+  filter->SetDenoise(options.Denoise);
   session.Report["parameters"]["method"] = options.Method;
   RunStage(session, filter, "recovering", name);
   vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
@@ -197,9 +234,7 @@ vtkSmartPointer<vtkPolyData> Recover(
   }
   else
   {
-    // Those that an earlier run with the paper's method has left there would be wrong.
-    result->GetFieldData()->RemoveArray(array::SharpAngle);
-    session.Report["parameters"]["window"] = FieldNumber(result, array::Lambda);
+    ReportAccount(session, result, options);
   }
   ReportRegion(session, result);
   ReportSkeleton(session, result);

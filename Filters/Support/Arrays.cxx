@@ -119,6 +119,16 @@ void AddThinning(
     output, array::SkeletonRole, [&](vtkIdType v) { return static_cast<unsigned char>(roles[v]); });
 }
 
+void AddAccount(vtkPolyData* output, const std::vector<double>& windowRadii,
+  const std::vector<double>& edgeAngles, const std::vector<Outcome>& outcomes)
+{
+  AddPointArray<vtkDoubleArray>(output, array::Window, [&](vtkIdType v) { return windowRadii[v]; });
+  AddPointArray<vtkDoubleArray>(
+    output, array::EdgeAngle, [&](vtkIdType v) { return edgeAngles[v]; });
+  AddPointArray<vtkUnsignedCharArray>(
+    output, array::Outcome, [&](vtkIdType v) { return static_cast<unsigned char>(outcomes[v]); });
+}
+
 void AddSurfaceIds(
   vtkPolyData* output, const std::vector<Index>& ids, const std::vector<vtkIdType>& cells)
 {

@@ -7,6 +7,7 @@
 #ifndef arris_Arrays_h
 #define arris_Arrays_h
 
+#include "Core/Robust/Account.h"
 #include "Core/Skeleton.h"
 #include "Core/Types.h"
 
@@ -27,6 +28,9 @@ constexpr const char* SharpRegion = "SharpRegion";
 constexpr const char* ThinningRound = "ThinningRound";
 constexpr const char* SkeletonRole = "SkeletonRole";
 constexpr const char* Displacement = "Displacement";
+constexpr const char* Window = "Window";
+constexpr const char* EdgeAngle = "EdgeAngle";
+constexpr const char* Outcome = "Outcome";
 constexpr const char* SurfaceId = "SurfaceId";
 constexpr const char* DihedralAngle = "DihedralAngle";
 constexpr const char* CurveId = "CurveId";
@@ -56,6 +60,8 @@ constexpr const char* FaceResidual = "Residual";
 constexpr const char* Lambda = "Lambda";
 constexpr const char* SharpAngle = "SharpAngle";
 constexpr const char* AverageEdgeLength = "AverageEdgeLength";
+constexpr const char* Roughness = "Roughness";
+constexpr const char* Rounding = "Rounding";
 constexpr const char* ClassificationSeconds = "ClassificationSeconds";
 constexpr const char* ThinningSeconds = "ThinningSeconds";
 constexpr const char* SharpeningSeconds = "SharpeningSeconds";
@@ -79,6 +85,10 @@ void AddClassification(vtkPolyData* output, const std::vector<double>& normalDif
 /// ThinningRound and SkeletonRole on points.
 void AddThinning(
   vtkPolyData* output, const std::vector<int>& rounds, const std::vector<SkeletonRole>& roles);
+
+/// Window, EdgeAngle and Outcome on points: what the robust method used and did where.
+void AddAccount(vtkPolyData* output, const std::vector<double>& windowRadii,
+  const std::vector<double>& edgeAngles, const std::vector<Outcome>& outcomes);
 
 /// SurfaceId on cells, from the ids of triangles and the cells they are; NoIndex on all others.
 void AddSurfaceIds(

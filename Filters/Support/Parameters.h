@@ -81,6 +81,12 @@ inline std::string ProblemWithWindow(double window, double ratio, int search)
   return ProblemWithWindow(window, ratio);
 }
 
+/// What is wrong with a window that may be left to the method, or nothing.
+inline std::string ProblemWithOptionalWindow(double window, double ratio, int search)
+{
+  return ProblemWithWindow(window, ratio == 0.0 ? DefaultWindowRatio : ratio, search);
+}
+
 /// What is wrong with an angle, or nothing.
 inline std::string ProblemWithAngle(const char* name, double degrees)
 {
@@ -90,6 +96,12 @@ inline std::string ProblemWithAngle(const char* name, double degrees)
       std::to_string(degrees);
   }
   return {};
+}
+
+/// What is wrong with an angle of which 0 leaves it to the method, or nothing.
+inline std::string ProblemWithOptionalAngle(const char* name, double degrees)
+{
+  return degrees == 0.0 ? std::string() : ProblemWithAngle(name, degrees);
 }
 
 /// What is wrong with a number that must not be below 0, or nothing.

@@ -3,26 +3,32 @@
 
 #include "RobustMethod.h"
 
-#include "Core/Robust/Robust.h"
 #include "Core/Robust/Turn.h"
 #include "Support/Arrays.h"
+#include "Support/Parameters.h"
 
 #include <vtkPolyData.h>
 
 namespace arris
 {
-bool RecoverByRobust(const Surface& surface, const Monitor& monitor, vtkPolyData* output)
+bool RecoverByRobust(const Surface& surface, const RobustParameters& parameters,
+  const Monitor& monitor, vtkPolyData* output)
 {
   const Mesh& mesh = surface.Triangulation;
   const RobustResult result =
-    RecoverRobustly(mesh, surface.Adjacency, surface.AverageEdgeLength, monitor);
+    RecoverRobustly(mesh, surface.Adjacency, surface.AverageEdgeLength, parameters, monitor);
   if (result.Points.size() != mesh.Points.size())
   {
     return false;
   }
   AddClassification(output, result.NormalDifferences, result.WindowRadii, result.Region);
   AddThinning(output, result.Rounds, result.Roles);
-  AddFieldValue(output, array::Lambda, TurnWindow * surface.AverageEdgeLength);
+  AddAccount(output, result.WindowRadii, result.Jumps, result.Outcomes);
+  AddFieldValue(output, array::Lambda,
+    WindowRadius(parameters.WindowRadius, TurnWindow, surface.AverageEdgeLength));
+  AddFieldValue(output, array::SharpAngle, result.SharpAngle);
+  AddFieldValue(output, array::Roughness, result.Rough.Degree);
+  AddFieldValue(output, array::Rounding, result.Rounding);
   AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);
   AddFieldValue(output, array::ClassificationSeconds, result.ClassificationSeconds);
   AddFieldValue(output, array::ThinningSeconds, result.ThinningSeconds);
@@ -30,5 +36,10 @@ bool RecoverByRobust(const Surface& surface, const Monitor& monitor, vtkPolyData
   ReplacePoints(output, mesh.Points, result.Points);
   AddDisplacement(output, mesh.Points);
   return true;
+}
+
+bool IsRough(vtkPolyData* recovered)
+{
+  return FieldValue(recovered, array::Roughness, 0.0) > 0.0;
 }
 }

@@ -7,7 +7,7 @@
 #ifndef arris_RobustMethod_h
 #define arris_RobustMethod_h
 
-#include "Core/Parallel.h"
+#include "Core/Robust/Robust.h"
 #include "Support/Surface.h"
 
 class vtkPolyData;
@@ -16,7 +16,11 @@ namespace arris
 {
 /// Recovers the sharp edges of `surface` in `output`, which ReadSurface filled, and adds its
 /// arrays. False if the monitor stopped it; the output is then unfinished.
-bool RecoverByRobust(const Surface& surface, const Monitor& monitor, vtkPolyData* output);
+bool RecoverByRobust(const Surface& surface, const RobustParameters& parameters,
+  const Monitor& monitor, vtkPolyData* output);
+
+/// Whether the method found the mesh rough and worked on a smoothed copy.
+bool IsRough(vtkPolyData* recovered);
 }
 
 #endif

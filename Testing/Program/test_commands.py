@@ -35,8 +35,8 @@ class Commands(ProgramTest):
                 lost = BOX_VOLUME - signed_volume(rounded)
                 self.assertLess(abs(BOX_VOLUME - signed_volume(sharp)), 0.3 * lost)
                 fields = names(sharp.GetFieldData())
-                self.assertLessEqual({"Lambda", "AverageEdgeLength"}, fields)
-                self.assertEqual("SharpAngle" in fields, method == "paper")
+                self.assertLessEqual({"Lambda", "SharpAngle", "AverageEdgeLength"}, fields)
+                self.assertEqual("Roughness" in fields, method == "robust")
                 self.assertFalse([name for name in fields if name.endswith("Seconds")])
 
     def test_sharpen_is_robust_unless_told_otherwise(self):

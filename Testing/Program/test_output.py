@@ -23,6 +23,7 @@ MESH = {"vertices", "triangles"}
 RECOVERY = FILES | {"average_edge_length", "displacement"}
 RECOVERY_COUNTS = MESH | {"sharp_vertices", "skeleton_vertices", "moved_vertices"}
 PAPER = {"method", "window", "window_ratio", "sharp_angle", "window_search"}
+ROBUST = {"method", "window", "window_ratio", "window_range", "sharp_angle", "denoise"}
 CURVES = MESH | {"curves", "corners", "surfaces"}
 FEATURES = {
     "feature_angle",
@@ -39,7 +40,12 @@ FEATURES = {
 }
 STEPS = {"classification", "thinning", "sharpening"}
 EXPECTED = {  # keys at the top, in parameters, in counts and in seconds
-    "sharpen": (RECOVERY, {"method", "window"}, RECOVERY_COUNTS, {"read", "write"} | STEPS),
+    "sharpen": (
+        RECOVERY | {"recognised", "outcomes"},
+        ROBUST,
+        RECOVERY_COUNTS,
+        {"read", "write"} | STEPS,
+    ),
     "classify": (
         FILES | {"average_edge_length"},
         PAPER - {"method"},

@@ -55,10 +55,13 @@ class Properties(unittest.TestCase):
 
     def test_round_trip(self):
         for make in (vtkUSSODFilter, vtkSharpeningFilter, vtkSharpEdgeReconstruction):
+            automatic = make is vtkSharpEdgeReconstruction  # 0 leaves it to the method
             self.check(make, "Window", 0.0, 0.125)
-            self.check(make, "WindowRatio", 0.75, 1.5)
+            self.check(make, "WindowRatio", 0.0 if automatic else 0.75, 1.5)
+        self.check(vtkUSSODFilter, "SharpAngle", PAPERS_ANGLE, 30.0)
+        self.check(vtkSharpEdgeReconstruction, "SharpAngle", 0.0, 30.0)
+        self.check(vtkSharpEdgeReconstruction, "Denoise", False, True)
         for make in (vtkUSSODFilter, vtkSharpEdgeReconstruction):
-            self.check(make, "SharpAngle", PAPERS_ANGLE, 30.0)
             self.check(make, "WindowSearch", make.CONNECTED, make.SPATIAL)
         self.check(
             vtkSharpEdgeReconstruction,

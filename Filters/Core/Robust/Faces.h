@@ -9,6 +9,8 @@
 
 #include "Core/Mesh.h"
 
+#include "ArrisFiltersModule.h" // for the export macro
+
 namespace arris
 {
 /// Centroid, normal and area of every triangle, and a normal for every vertex.
@@ -24,7 +26,8 @@ struct Faces
 
 /// The local scale h of each vertex: the mean edge length around it, smoothed over the mesh, so
 /// that a coarse and a fine part can stand in one mesh.
-std::vector<double> LocalScales(const Mesh& mesh, const Connectivity& connectivity);
+ARRISFILTERS_EXPORT std::vector<double> LocalScales(
+  const Mesh& mesh, const Connectivity& connectivity);
 }
 
 #endif

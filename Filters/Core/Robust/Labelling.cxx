@@ -4,6 +4,7 @@
 #include "Labelling.h"
 
 #include "Core/Flagged.h"
+#include "Neighbourhoods.h"
 #include "Unexplained.h"
 
 namespace arris
@@ -16,13 +17,20 @@ constexpr double FirstFit = 0.9;
 bool FitSides(const Surroundings& around, const Flags& region, const Patches& patches,
   const std::vector<Index>& vertices, const Monitor& monitor, Labelling& labelling)
 {
-  return ParallelFor(static_cast<Index>(vertices.size()), monitor,
+  const Rows groups = GroupIntoNeighbourhoods(around, vertices);
+  return ParallelFor(groups.size(), monitor,
     [&](Index begin, Index end)
     {
       SideFinder finder(around, region, patches);
-      for (Index i = begin; i < end; ++i)
+      std::vector<std::vector<Side>*> sides;
+      for (Index g = begin; g < end; ++g)
       {
-        labelling.Sides[labelling.SidesOf[vertices[i]]] = finder.Find(vertices[i]);
+        sides.clear();
+        for (Index v : groups[g])
+        {
+          sides.push_back(&labelling.Sides[labelling.SidesOf[v]]);
+        }
+        finder.Find(groups[g], sides);
       }
     });
 }

@@ -5,7 +5,6 @@
 
 #include "Core/Flagged.h"
 #include "Core/Parallel.h"
-#include "Region.h"
 
 namespace arris
 {
@@ -31,7 +30,8 @@ std::vector<Index> VerticesBeside(const Connectivity& connectivity, const Flags&
 }
 
 void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
-  const std::vector<double>& scales, const std::vector<Turn>& turns, Flags& region)
+  const std::vector<double>& scales, const std::vector<Turn>& turns, const EdgeAngles& angles,
+  Flags& region)
 {
   for (int pass = 0; pass < Passes; ++pass)
   {
@@ -44,7 +44,8 @@ void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, cons
         meter.LookWithin(region);
         for (Index i = begin; i < end; ++i)
         {
-          found[i] = !IsFlat(turns[beside[i]]) && ShowsEdge(meter.Measure(beside[i])) ? 1 : 0;
+          found[i] =
+            !IsFlat(turns[beside[i]]) && ShowsEdge(meter.Measure(beside[i]), angles) ? 1 : 0;
         }
       });
     for (std::size_t i = 0; i < beside.size(); ++i)

@@ -7,7 +7,7 @@
 #ifndef arris_Robust_MeetingEdges_h
 #define arris_Robust_MeetingEdges_h
 
-#include "Turn.h"
+#include "Region.h"
 
 namespace arris
 {
@@ -15,7 +15,8 @@ namespace arris
 /// and a shallow edge would end before it reaches a strong one. The turn is taken again without
 /// the triangles of the region.
 void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
-  const std::vector<double>& scales, const std::vector<Turn>& turns, Flags& region);
+  const std::vector<double>& scales, const std::vector<Turn>& turns, const EdgeAngles& angles,
+  Flags& region);
 }
 
 #endif

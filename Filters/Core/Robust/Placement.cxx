@@ -30,6 +30,7 @@ Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const L
   , Points(mesh.Points)
   , Sheets(labelling.Sides.size())
   , Pinned(labelling.Sides.size(), 0)
+  , TooFar(labelling.Sides.size(), 0)
 {
 }
 
@@ -95,6 +96,7 @@ void Placement::Place(Index vertex)
   this->CollectSheets(vertex, sheets);
   const Vec3& x = this->TheMesh.Points[vertex];
   this->Points[vertex] = x;
+  this->TooFar[this->TheLabelling.SidesOf[vertex]] = 0;
   if (!sheets.empty())
   {
     const Vec3 point = MeetSheets(x, sheets);
@@ -102,6 +104,7 @@ void Placement::Place(Index vertex)
     if (move > LongestMove)
     {
       sheets.clear();
+      this->TooFar[this->TheLabelling.SidesOf[vertex]] = 1;
     }
     else if (move > LeastMove)
     {

@@ -18,6 +18,17 @@ public:
   Placement(const Mesh& mesh, const Connectivity& connectivity, const Labelling& labelling,
     const std::vector<double>& scales, std::vector<Index> faceLabels);
 
+  /// Whether a damaged vertex belongs farther away than it may be moved, or no face tells where.
+  bool IsTooFar(Index vertex) const
+  {
+    return this->TooFar[this->TheLabelling.SidesOf[vertex]] != 0;
+  }
+  bool IsLost(Index vertex) const
+  {
+    const Index damaged = this->TheLabelling.SidesOf[vertex];
+    return this->Sheets[damaged].empty() && !this->Pinned[damaged];
+  }
+
   bool IsDamaged(Index vertex) const { return this->TheLabelling.SidesOf[vertex] != NoIndex; }
 
   const Vec3& PointOf(Index vertex) const { return this->Points[vertex]; }
@@ -59,6 +70,7 @@ private:
   std::vector<Vec3> Points;
   std::vector<std::vector<const Sheet*>> Sheets;
   Flags Pinned; // of the damaged vertices, as Sheets
+  Flags TooFar; // the same
 };
 }
 

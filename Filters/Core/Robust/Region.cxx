@@ -4,6 +4,7 @@
 #include "Region.h"
 
 #include "Core/Flagged.h"
+#include "Mixed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,10 @@ namespace arris
 namespace
 {
 // Angles in degrees; lengths in local scales.
-constexpr double SeedJump = 16.0;
 constexpr double SeedConcentration = 0.35; // E over J: a fillet or a cylinder spreads its turn
 constexpr double LeastAcross = 6.0;
-constexpr double CornerDeviation = 55.0; // no smooth surface that is sampled turns so in a window
 constexpr std::size_t SmallestSeedGroup = 6;
 
-constexpr double RegionJump = 12.0;
 constexpr double Reach = 1.6; // from a seed
 constexpr double ReachBlend = 1.2;
 constexpr double Dilation = 1.4; // of a blended edge's region
@@ -41,11 +39,12 @@ class RegionFinder
 {
 public:
   RegionFinder(const Mesh& mesh, const Connectivity& connectivity, const std::vector<Turn>& turns,
-    const std::vector<double>& scales)
+    const std::vector<double>& scales, const EdgeAngles& angles)
     : TheMesh(mesh)
     , TheConnectivity(connectivity)
     , Turns(turns)
     , Scales(scales)
+    , Angles(angles)
     , Seeds(mesh.Points.size())
     , Blend(mesh.Points.size(), 0.0)
   {
@@ -56,7 +55,8 @@ public:
     for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
     {
       const Turn& turn = this->Turns[v];
-      this->Seeds[v] = ShowsEdge(turn) || turn.Deviation >= CornerDeviation ? 1 : 0;
+      this->Seeds[v] =
+        ShowsEdge(turn, this->Angles) || turn.Deviation >= this->Angles.Corner ? 1 : 0;
     }
     this->DropSmallGroups();
     this->FindBlendDegrees();
@@ -100,7 +100,7 @@ private:
     for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
     {
       const Turn& turn = this->Turns[v];
-      if (this->Seeds[v] && turn.WideJump > RegionJump && turn.Jump > RegionJump &&
+      if (this->Seeds[v] && turn.WideJump > this->Angles.Grown && turn.Jump > this->Angles.Grown &&
         this->IsRidge(v))
       {
         now[v] = { std::min(turn.Jump / turn.WideJump, 1.5), 1.0 };
@@ -187,7 +187,7 @@ private:
         const Turn& turn = this->Turns[n];
         const double distance = (this->TheMesh.Points[n] - this->TheMesh.Points[at.Seed]).norm();
         // Concentrated: the window turns by more than the curvature of the sides would make it.
-        if (!region[n] && turn.Jump >= RegionJump && turn.Across >= LeastAcross &&
+        if (!region[n] && turn.Jump >= this->Angles.Grown && turn.Across >= LeastAcross &&
           turn.Concentrated >= 0.0 &&
           distance <= (Reach + ReachBlend * blend) * this->Scales[at.Seed])
         {
@@ -254,20 +254,40 @@ private:
   const Connectivity& TheConnectivity;
   const std::vector<Turn>& Turns;
   const std::vector<double>& Scales;
+  const EdgeAngles& Angles;
   Flags Seeds;
   std::vector<double> Blend;
 };
 }
 
-bool ShowsEdge(const Turn& turn)
+EdgeAngles EdgeAngles::Of(double roughness, double setAngle)
 {
-  return turn.Across >= LeastAcross && turn.Jump >= SeedJump &&
+  constexpr double RoughSeed = 22.0;
+  constexpr double RoughGrown = 16.0;
+  EdgeAngles angles;
+  if (setAngle > 0.0)
+  {
+    angles.Grown *= setAngle / angles.Seed;
+    angles.Seed = setAngle;
+    angles.Corner = std::max(angles.Corner, setAngle);
+  }
+  else
+  {
+    angles.Seed = Mixed(angles.Seed, RoughSeed, roughness);
+    angles.Grown = Mixed(angles.Grown, RoughGrown, roughness);
+  }
+  return angles;
+}
+
+bool ShowsEdge(const Turn& turn, const EdgeAngles& angles)
+{
+  return turn.Across >= LeastAcross && turn.Jump >= angles.Seed &&
     turn.Concentrated >= SeedConcentration * turn.Jump;
 }
 
 SharpRegion FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
-  const std::vector<Turn>& turns, const std::vector<double>& scales)
+  const std::vector<Turn>& turns, const std::vector<double>& scales, const EdgeAngles& angles)
 {
-  return RegionFinder(mesh, connectivity, turns, scales).Find();
+  return RegionFinder(mesh, connectivity, turns, scales, angles).Find();
 }
 }

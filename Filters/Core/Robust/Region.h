@@ -17,11 +17,23 @@ struct SharpRegion
   double Rounding; ///< 0 where the mesh's edges were cut off, 1 where they were rounded as well
 };
 
+/// From which turn on an edge is sharp, in degrees.
+struct EdgeAngles
+{
+  double Seed = 16.0; ///< a vertex whose jump is this large is sharp by itself
+  double Grown = 12.0; ///< beside one that is, this is enough
+  double Corner = 55.0; ///< no smooth surface that is sampled turns so in a window
+
+  /// What rough faces take for edges themselves is left out, by how rough they are (0 to 1). An
+  /// angle that the user has set (not 0) stands.
+  static EdgeAngles Of(double roughness, double setAngle);
+};
+
 SharpRegion FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,
-  const std::vector<Turn>& turns, const std::vector<double>& scales);
+  const std::vector<Turn>& turns, const std::vector<double>& scales, const EdgeAngles& angles);
 
 /// Whether the turn is that of an edge: sharp enough, and more concentrated than a curved side's.
-bool ShowsEdge(const Turn& turn);
+bool ShowsEdge(const Turn& turn, const EdgeAngles& angles);
 }
 
 #endif

@@ -24,7 +24,7 @@ public:
   {
     for (Index t = 0; t < mesh.TriangleCount(); ++t)
     {
-      if (placement.LabelOf(t) != NoIndex)
+      if (placement.LabelOf(t) != NoIndex || this->Moved(mesh.Triangles[t]))
       {
         this->Labelled.push_back(t);
       }
@@ -76,8 +76,7 @@ private:
 
   bool Folded(Index t) const
   {
-    return this->ThePlacement.LabelOf(t) != NoIndex && this->Moved(this->TheMesh.Triangles[t]) &&
-      this->ThePlacement.Quality(t) < FoldedQuality;
+    return this->Moved(this->TheMesh.Triangles[t]) && this->ThePlacement.Quality(t) < FoldedQuality;
   }
 
   int FoldedAround(Index v) const

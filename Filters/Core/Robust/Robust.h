@@ -5,6 +5,7 @@
 /// The robust method from end to end: no parameters, faces carried on with their curvature, nothing
 /// folded and nothing cut.
 ///
+///  0. Roughness, Denoised: what is rough is worked on in a smooth copy.
 ///  1. Turn: at each vertex, the turn that is left once both sides are extrapolated to it.
 ///  2. Region: where that turn is concentrated, an edge was sampled away; where edges meet, the
 ///  turn
@@ -20,21 +21,36 @@
 #ifndef arris_Robust_Robust_h
 #define arris_Robust_Robust_h
 
+#include "Account.h"
 #include "Core/Parallel.h"
-#include "Core/Skeleton.h"
+#include "Roughness.h"
 
 #include "ArrisFiltersModule.h" // for the export macro
 
 namespace arris
 {
+/// What the user may set; by default the mesh decides.
+struct RobustParameters
+{
+  double WindowRadius = 0.0; ///< λ; 0: three quarters of the local edge length
+  double SharpAngle = 0.0; ///< degrees; the turn from which on an edge is sharp; 0: 16, on rough
+                           ///< meshes 22
+  bool Denoise = false; ///< of a rough mesh, the smooth faces are moved as well
+};
+
 struct RobustResult
 {
+  Roughness Rough;
+  double Rounding = 0.0; ///< 0: edges were cut off, 1: they were rounded as well
+  double SharpAngle = 0.0; ///< degrees; as set, or as chosen
   std::vector<double> WindowRadii; ///< λ of each vertex: follows the local edge length
   std::vector<double> NormalDifferences; ///< λτ of each vertex in that window
+  std::vector<double> Jumps; ///< the turn between the faces beside each vertex, in degrees
   Flags Region; ///< the sharp region Ω
   std::vector<int> Rounds; ///< -1 outside Ω, then the distance from there in edges;
                            ///< the skeleton has the largest value
   std::vector<SkeletonRole> Roles;
+  std::vector<Outcome> Outcomes;
   std::vector<Vec3> Points;
 
   // What finding the region, the skeleton and the positions took.
@@ -45,7 +61,7 @@ struct RobustResult
 
 /// Recovers the sharp edges of a mesh. The result has no points if the monitor stopped it.
 ARRISFILTERS_EXPORT RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
-  double averageEdgeLength, const Monitor& monitor);
+  double averageEdgeLength, const RobustParameters& parameters, const Monitor& monitor);
 }
 
 #endif

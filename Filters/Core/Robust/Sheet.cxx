@@ -24,16 +24,8 @@ constexpr int CurvedReweights = 2;
 /// No sampling shows a surface bent tighter than this, in radians a scale.
 constexpr double MostBending = 0.5;
 
-/// A plane that leaves less than this (rms, in scales) is the surface: contours of exact distances
-/// of planes leave their rounding, those of anything curved leave more.
-constexpr double FlatResidual = 0.0005;
-
 /// Fewer samples than this determine no curvature.
 constexpr std::size_t LeastCurvedSamples = 9;
-
-/// Pulls second order toward none; small, or curved sides are flattened (the largest single factor
-/// in accuracy).
-constexpr double CurvatureRidge = 1e-6;
 
 /// Tukey's biweight: no weight beyond this many deviations.
 constexpr double TukeyCut = 4.685;
@@ -57,7 +49,7 @@ double FromCircle(double curvature, double u, double z)
 }
 }
 
-Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, double curvedGain)
+Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, const SheetCaution& caution)
   : Scale(scale)
 {
   std::vector<double> weights(samples.size());
@@ -74,7 +66,7 @@ Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, double curve
     }
   }
   const double flat = this->Residual(samples, weights);
-  if (samples.size() < LeastCurvedSamples || flat < FlatResidual)
+  if (samples.size() < LeastCurvedSamples || flat < caution.FlatResidual)
   {
     return;
   }
@@ -85,7 +77,7 @@ Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, double curve
   const Sheet plane = *this;
   for (int step = 0; step < CurvedSteps; ++step)
   {
-    if (!this->Bend(samples, weights))
+    if (!this->Bend(samples, weights, caution.Ridge))
     {
       *this = plane;
       return;
@@ -95,7 +87,7 @@ Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, double curve
       this->Reweight(samples, weights);
     }
   }
-  if (flat < curvedGain * this->Residual(samples, weights))
+  if (flat < caution.CurvedGain * this->Residual(samples, weights))
   {
     *this = plane;
   }
@@ -137,7 +129,8 @@ void Sheet::FitPlane(const std::vector<SheetSample>& samples, std::vector<double
   this->Origin = mean;
 }
 
-bool Sheet::Bend(const std::vector<SheetSample>& samples, const std::vector<double>& weights)
+bool Sheet::Bend(
+  const std::vector<SheetSample>& samples, const std::vector<double>& weights, double ridge)
 {
   Mat6 a = Mat6::Zero();
   Vec6 b = Vec6::Zero();
@@ -152,7 +145,7 @@ bool Sheet::Bend(const std::vector<SheetSample>& samples, const std::vector<doub
   }
   for (int k = 0; k < 6; ++k)
   {
-    a(k, k) += (k < 3 ? 1e-12 : CurvatureRidge) * sum;
+    a(k, k) += (k < 3 ? 1e-12 : ridge) * sum;
   }
   const Vec6 change = a.ldlt().solve(b);
   if (!change.allFinite())

@@ -21,6 +21,21 @@ struct SheetSample
   double Weight;
 };
 
+/// When a plane is given up for a torus; by default on clean samples.
+struct SheetCaution
+{
+  /// How many times as much a plane must leave as a torus.
+  double CurvedGain = 1.5;
+
+  /// A plane that leaves less than this (rms, in scales) is the surface: contours of exact
+  /// distances of planes leave their rounding, those of anything curved leave more.
+  double FlatResidual = 0.0005;
+
+  /// Pulls second order toward none; small, or curved sides are flattened (the largest single
+  /// factor in accuracy).
+  double Ridge = 1e-6;
+};
+
 class ARRISFILTERS_EXPORT Sheet
 {
 public:
@@ -28,9 +43,8 @@ public:
 
   /// Fits a plane by reweighted least squares, and where a torus leaves much less, that: it has two
   /// curvatures, and is exact for planes, cylinders, spheres and tori. `scale` is the local edge
-  /// length; `curvedGain` how many times as much a plane must leave to be given up. At least one
-  /// sample.
-  Sheet(const std::vector<SheetSample>& samples, double scale, double curvedGain);
+  /// length. At least one sample.
+  Sheet(const std::vector<SheetSample>& samples, double scale, const SheetCaution& caution);
 
   /// Distance from the sheet, to first order; positive outside.
   double Distance(const Vec3& point) const;
@@ -40,7 +54,8 @@ public:
 
 private:
   void FitPlane(const std::vector<SheetSample>& samples, std::vector<double>& weights);
-  bool Bend(const std::vector<SheetSample>& samples, const std::vector<double>& weights);
+  bool Bend(
+    const std::vector<SheetSample>& samples, const std::vector<double>& weights, double ridge);
   double Residual(
     const std::vector<SheetSample>& samples, const std::vector<double>& weights) const;
   void Reweight(const std::vector<SheetSample>& samples, std::vector<double>& weights) const;

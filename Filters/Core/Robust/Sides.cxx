@@ -4,7 +4,7 @@
 #include "Sides.h"
 
 #include "Core/Geometry.h"
-#include "LocalSolid.h"
+#include "Mixed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,11 @@ namespace arris
 namespace
 {
 // Lengths in local scales.
+constexpr double SearchRadius = 4.5; // for patches
 constexpr double SampleDepth = 3.5; // samples are this much farther away than the nearest one
-constexpr double SearchRadius = SideFinder::Reach - SampleDepth; // for patches
+constexpr double RoughSampleDepth = 5.0;
 constexpr double WeightDepth = 1.5;
+constexpr double RoughWeightDepth = 2.5;
 constexpr std::size_t MostSides = 8;
 
 /// λτ at which a sample's weight falls to 1/e: what bends is contaminated or another face.
@@ -24,27 +26,30 @@ constexpr double FlatnessScale = 0.2;
 constexpr double BorderWeight = 0.3; // of samples that touch the sharp region
 constexpr double BlendedBorderWeight = 0.1;
 
-/// What leaves this many times as much for a plane as for a torus is curved. Extrapolated, a
-/// needless curvature errs more than a plane does. Beside a blended edge the last of the blend
-/// bends what is flat.
-constexpr double CurvedGain = 1.5;
+/// How many times as much a plane must leave as a torus beside a blended edge: the last of the
+/// blend bends what is flat. Rough meshes are rounded too, but there their roughness already keeps
+/// planes from being given up.
 constexpr double BlendedCurvedGain = 8.0;
 
-double Mixed(double sharp, double blended, double rounding)
-{
-  return sharp + rounding * (blended - sharp);
-}
+// Of a rough mesh: what is left after smoothing bends no plane, and says little of curvature.
+constexpr double RoughFlatResidual = 0.0375;
+constexpr double RoughRidge = 1e-3;
 
 /// Samples of other patches are used where their normals differ by less than this, in degrees.
 constexpr double LikeNormal = 25.0;
 }
 
-std::vector<Side> SideFinder::Find(Index vertex)
+double SideFinder::Reach(double roughness)
+{
+  return SearchRadius + Mixed(SampleDepth, RoughSampleDepth, roughness);
+}
+
+std::vector<Side> SideFinder::FitAround(Index vertex, LocalSolid& solid)
 {
   std::vector<Side> sides;
   const double scale = this->Around.Scales[vertex];
-  this->GatherNear(vertex, Reach * scale);
-  for (const Near& near : this->Static) // nearest first
+  this->GatherStatic(vertex, Reach(this->Around.Roughness) * scale);
+  for (const NearVertex& near : this->Static) // nearest first
   {
     const Index patch = this->ThePatches.PatchOf[near.Vertex];
     const bool known = std::any_of(
@@ -58,62 +63,67 @@ std::vector<Side> SideFinder::Find(Index vertex)
   {
     return sides;
   }
-  LocalSolid solid;
   for (Side& side : sides)
   {
     this->Fit(vertex, side);
     solid.AddSheet(side.Surface, this->Samples);
   }
-  const Vec3& x = this->Around.TheMesh.Points[vertex];
-  const double active = solid.Value(x);
-  constexpr double TieBreaker = 0.02;
-  for (Side& side : sides)
-  {
-    const double s = side.Surface.Distance(x);
-    side.Cost = std::abs(s - active) + TieBreaker * std::abs(s);
-  }
   return sides;
 }
 
-void SideFinder::GatherNear(Index vertex, double radius)
+void SideFinder::Find(IndexSpan vertices, const std::vector<std::vector<Side>*>& sides)
 {
-  const Vec3& x = this->Around.TheMesh.Points[vertex];
-  this->Seen.Clear();
-  this->Seen.Insert(vertex);
-  this->Queue.assign(1, vertex);
-  this->Static.clear();
-  for (std::size_t next = 0; next < this->Queue.size(); ++next)
+  LocalSolid solid;
+  const std::vector<Side> shared = this->FitAround(*vertices.begin(), solid);
+  auto row = sides.begin();
+  for (Index v : vertices)
   {
-    for (Index n : this->Around.TheConnectivity.NeighborsOfVertex[this->Queue[next]])
+    std::vector<Side>& own = **row++;
+    own = shared;
+    if (own.empty())
     {
-      const double distance = (this->Around.TheMesh.Points[n] - x).norm();
-      if (distance > radius || !this->Seen.Insert(n))
-      {
-        continue;
-      }
-      this->Queue.push_back(n);
-      if (!this->Region[n])
-      {
-        this->Static.push_back({ distance, n });
-      }
+      continue;
+    }
+    const Vec3& x = this->Around.TheMesh.Points[v];
+    const double active = solid.Value(x);
+    constexpr double TieBreaker = 0.02;
+    for (Side& side : own)
+    {
+      const double s = side.Surface.Distance(x);
+      side.Cost = std::abs(s - active) + TieBreaker * std::abs(s);
+    }
+  }
+}
+
+void SideFinder::GatherStatic(Index vertex, double radius)
+{
+  const std::vector<Vec3>& points = this->Around.TheMesh.Points;
+  const Vec3& x = points[vertex];
+  this->Static.clear();
+  for (Index v : this->Near.Gather(points, this->Around.TheConnectivity, vertex, x, radius))
+  {
+    if (!this->Region[v])
+    {
+      this->Static.push_back({ (points[v] - x).norm(), v });
     }
   }
   std::sort(this->Static.begin(), this->Static.end(),
-    [](const Near& a, const Near& b)
+    [](const NearVertex& a, const NearVertex& b)
     { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Vertex < b.Vertex; });
 }
 
 void SideFinder::Fit(Index vertex, Side& side)
 {
   const double scale = this->Around.Scales[vertex];
-  const double radius = side.Distance + SampleDepth * scale;
-  const double width = side.Distance + WeightDepth * scale;
+  const double roughness = this->Around.Roughness;
+  const double radius = side.Distance + Mixed(SampleDepth, RoughSampleDepth, roughness) * scale;
+  const double width = side.Distance + Mixed(WeightDepth, RoughWeightDepth, roughness) * scale;
   const double likeCosine = std::cos(LikeNormal * Pi / 180.0);
   const double borderWeight = Mixed(BorderWeight, BlendedBorderWeight, this->Around.Rounding);
   Vec3 normal = Vec3::Zero();
   Index piece = NoIndex;
   this->Samples.clear();
-  for (const Near& near : this->Static)
+  for (const NearVertex& near : this->Static)
   {
     if (near.Distance > radius)
     {
@@ -143,7 +153,11 @@ void SideFinder::Fit(Index vertex, Side& side)
     this->Samples.push_back(
       { this->Around.TheMesh.Points[v], this->Around.TheFaces.VertexNormals[v], weight });
   }
-  side.Surface =
-    Sheet(this->Samples, scale, Mixed(CurvedGain, BlendedCurvedGain, this->Around.Rounding));
+  SheetCaution caution;
+  caution.CurvedGain =
+    Mixed(caution.CurvedGain, BlendedCurvedGain, this->Around.Rounding * (1.0 - roughness));
+  caution.FlatResidual = Mixed(caution.FlatResidual, RoughFlatResidual, roughness);
+  caution.Ridge = Mixed(caution.Ridge, RoughRidge, roughness);
+  side.Surface = Sheet(this->Samples, scale, caution);
 }
 }

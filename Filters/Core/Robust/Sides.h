@@ -7,9 +7,9 @@
 #ifndef arris_Robust_Sides_h
 #define arris_Robust_Sides_h
 
-#include "Core/IndexSet.h"
 #include "Patches.h"
-#include "Sheet.h"
+#include "LocalSolid.h"
+#include "NearVertices.h"
 
 namespace arris
 {
@@ -22,6 +22,7 @@ struct Surroundings
   const std::vector<double>& Scales;
   const std::vector<double>& Flatness; ///< λτ of each vertex
   double Rounding; ///< how far the sampling has rounded edges, 0 to 1
+  double Roughness; ///< how rough the input was, 0 to 1
 };
 
 /// One of the faces around a vertex.
@@ -45,25 +46,28 @@ public:
   }
 
   /// How far away samples are taken, in local scales.
-  static constexpr double Reach = 8.0;
+  static double Reach(double roughness);
 
-  std::vector<Side> Find(Index vertex);
+  /// The sides of vertices near each other, the first in their middle: fitted there, and for each
+  /// vertex how well it fits them. `sides` has one row for each vertex.
+  void Find(IndexSpan vertices, const std::vector<std::vector<Side>*>& sides);
 
 private:
-  struct Near
+  struct NearVertex
   {
     double Distance;
     Index Vertex;
   };
-  void GatherNear(Index vertex, double radius);
+  /// Fits the sides around a vertex and tells how they meet.
+  std::vector<Side> FitAround(Index vertex, LocalSolid& solid);
+  void GatherStatic(Index vertex, double radius);
   void Fit(Index vertex, Side& side);
 
   const Surroundings& Around;
   const Flags& Region;
   const Patches& ThePatches;
-  IndexSet Seen;
-  std::vector<Index> Queue;
-  std::vector<Near> Static;
+  NearVertices Near;
+  std::vector<NearVertex> Static; ///< the intact ones, nearest first
   std::vector<SheetSample> Samples;
 };
 }

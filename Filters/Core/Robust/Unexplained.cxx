@@ -66,6 +66,7 @@ std::vector<Index> DamagedNear(
   {
     origin[v] = v;
   }
+  const double reach = SideFinder::Reach(around.Roughness);
   std::vector<Index> near;
   for (std::size_t next = 0; next < front.size(); ++next)
   {
@@ -73,7 +74,7 @@ std::vector<Index> DamagedNear(
     for (Index n : around.TheConnectivity.NeighborsOfVertex[v])
     {
       const Vec3 way = around.TheMesh.Points[n] - around.TheMesh.Points[origin[v]];
-      if (origin[n] == NoIndex && way.norm() <= SideFinder::Reach * around.Scales[n])
+      if (origin[n] == NoIndex && way.norm() <= reach * around.Scales[n])
       {
         origin[n] = origin[v];
         front.push_back(n);

@@ -90,6 +90,17 @@ public:
 private:
   std::uint32_t State = 2006;
 };
+
+/// Moves all points by up to `size` in all directions.
+inline Mesh Noisy(Mesh mesh, double size)
+{
+  Dice dice;
+  for (Vec3& point : mesh.Points)
+  {
+    point += size * Vec3(dice(), dice(), dice());
+  }
+  return mesh;
+}
 }
 }
 

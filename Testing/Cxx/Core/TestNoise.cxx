@@ -21,17 +21,6 @@ FeatureCriteria UsualCriteria()
   criteria.TailLength = 2.0 * 1.14; // mean edge of a grid of unit squares: (1 + 1 + 1.41) / 3
   return criteria;
 }
-
-/// Moves all points by up to `size` in all directions.
-Mesh Noisy(Mesh mesh, double size)
-{
-  Dice dice;
-  for (Vec3& point : mesh.Points)
-  {
-    point += size * Vec3(dice(), dice(), dice());
-  }
-  return mesh;
-}
 }
 
 TEST(Noise, OfAPlateIsNoFeature)

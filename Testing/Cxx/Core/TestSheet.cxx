@@ -12,7 +12,7 @@ using namespace arris;
 namespace
 {
 constexpr double Scale = 2.0; // any: a sheet must not depend on the unit of length
-constexpr double Gain = 1.5;
+const SheetCaution Caution;
 
 /// Samples of the surface over a square beside the origin: a sheet is asked about where it has
 /// none.
@@ -50,7 +50,7 @@ Vec3 OnSphere(double u, double w)
 
 TEST(Sheet, OfAPlaneIsThePlane)
 {
-  const Sheet sheet(SamplesBeside(OnPlane), Scale, Gain);
+  const Sheet sheet(SamplesBeside(OnPlane), Scale, Caution);
   const Vec3 far(-10.0, 7.0, 0.0);
   const Vec3 normal = Vec3(-0.3, 0.2, 1.0).normalized();
   EXPECT_NEAR(sheet.Distance(far), far.dot(normal), 1e-9);
@@ -62,12 +62,12 @@ TEST(Sheet, OneOutlierDoesNotTiltAPlane)
   std::vector<SheetSample> samples = SamplesBeside(OnPlane);
   samples[3].Position[2] += 0.4 * Scale;
   const Vec3 off = OnPlane(-4.0, 0.0);
-  EXPECT_NEAR(Sheet(samples, Scale, Gain).Distance(off), 0.0, 1e-6 * Scale);
+  EXPECT_NEAR(Sheet(samples, Scale, Caution).Distance(off), 0.0, 1e-6 * Scale);
 }
 
 TEST(Sheet, GoesOnAsACylinderWhereItHasNoSamples)
 {
-  const Sheet sheet(SamplesBeside(OnCylinder), Scale, Gain);
+  const Sheet sheet(SamplesBeside(OnCylinder), Scale, Caution);
   for (const double u : { 0.0, -1.0, -2.0 })
   {
     const Vec3 point = OnCylinder(Scale * u, 0.7);
@@ -78,7 +78,7 @@ TEST(Sheet, GoesOnAsACylinderWhereItHasNoSamples)
 
 TEST(Sheet, GoesOnAsASphereWhereItHasNoSamples)
 {
-  const Sheet sheet(SamplesBeside(OnSphere), Scale, Gain);
+  const Sheet sheet(SamplesBeside(OnSphere), Scale, Caution);
   for (const double u : { 0.0, -1.0, -2.0 })
   {
     EXPECT_NEAR(sheet.Distance(OnSphere(Scale * u, 0.5)), 0.0, 1e-4 * Scale) << u;
@@ -87,13 +87,13 @@ TEST(Sheet, GoesOnAsASphereWhereItHasNoSamples)
 
 TEST(Sheet, DistanceIsPositiveOutside)
 {
-  const Sheet sheet(SamplesBeside(OnSphere), Scale, Gain);
+  const Sheet sheet(SamplesBeside(OnSphere), Scale, Caution);
   EXPECT_NEAR(sheet.Distance(OnSphere(0.0, 0.0) + Vec3(0.0, 0.0, 0.5)), 0.5, 1e-3);
   EXPECT_NEAR(sheet.Distance(OnSphere(0.0, 0.0) - Vec3(0.0, 0.0, 0.5)), -0.5, 1e-3);
 }
 
 TEST(Sheet, OfOneSampleIsItsTangentPlane)
 {
-  const Sheet sheet({ { Vec3(1.0, 2.0, 3.0), Vec3::UnitX(), 1.0 } }, Scale, Gain);
+  const Sheet sheet({ { Vec3(1.0, 2.0, 3.0), Vec3::UnitX(), 1.0 } }, Scale, Caution);
   EXPECT_DOUBLE_EQ(sheet.Distance(Vec3(4.0, 0.0, 0.0)), 3.0);
 }

@@ -105,9 +105,10 @@ INSTANTIATE_TEST_SUITE_P(Filters, Errors, AllFilters(), FilterName);
 
 namespace
 {
-/// The parameters that USSOD and reconstruction share.
+/// The parameters that USSOD and reconstruction share. Where 0 leaves them to the method, it is no
+/// error.
 template <typename Filter>
-void ExpectWindowErrors()
+void ExpectWindowErrors(bool zeroIsAutomatic)
 {
   const auto input = ReadyMesh(16);
   const auto expect = [&](void (*set)(Filter*, double), double value, const char* about)
@@ -120,18 +121,18 @@ void ExpectWindowErrors()
   {
     expect([](Filter* filter, double value) { filter->SetWindow(value); }, bad, "Window");
   }
-  for (const double bad : { 0.0, -1.0, NotANumber, Infinite })
+  for (const double bad : { -1.0, NotANumber, Infinite, zeroIsAutomatic ? -0.5 : 0.0 })
   {
     expect([](Filter* filter, double value) { filter->SetWindowRatio(value); }, bad, "WindowRatio");
   }
 }
 
 template <typename Filter>
-void ExpectClassificationErrors()
+void ExpectClassificationErrors(bool zeroIsAutomatic)
 {
-  ExpectWindowErrors<Filter>();
+  ExpectWindowErrors<Filter>(zeroIsAutomatic);
   const auto input = ReadyMesh(16);
-  for (const double bad : { 0.0, -5.0, 180.5, NotANumber, Infinite })
+  for (const double bad : { -5.0, 180.5, NotANumber, Infinite, zeroIsAutomatic ? -0.5 : 0.0 })
   {
     vtkNew<Filter> filter;
     filter->SetSharpAngle(bad);
@@ -148,17 +149,17 @@ void ExpectClassificationErrors()
 
 TEST(ErrorsOfParameters, OfUSSOD)
 {
-  ExpectClassificationErrors<vtkUSSODFilter>();
+  ExpectClassificationErrors<vtkUSSODFilter>(false);
 }
 
 TEST(ErrorsOfParameters, OfReconstruction)
 {
-  ExpectClassificationErrors<vtkSharpEdgeReconstruction>();
+  ExpectClassificationErrors<vtkSharpEdgeReconstruction>(true);
 }
 
 TEST(ErrorsOfParameters, OfSharpening)
 {
-  ExpectWindowErrors<vtkSharpeningFilter>();
+  ExpectWindowErrors<vtkSharpeningFilter>(false);
 }
 
 TEST(ErrorsOfParameters, OfTheMethod)

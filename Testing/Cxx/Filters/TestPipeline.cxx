@@ -90,13 +90,13 @@ void ExpectProperty(const char* name, void (Filter::*set)(Value), Value (Filter:
 }
 
 template <typename Filter>
-void ExpectClassificationProperties()
+void ExpectClassificationProperties(double ratio, double angle)
 {
   ExpectProperty<Filter, double>("Window", &Filter::SetWindow, &Filter::GetWindow, 0.0, 0.2);
   ExpectProperty<Filter, double>(
-    "WindowRatio", &Filter::SetWindowRatio, &Filter::GetWindowRatio, 0.75, 1.5);
+    "WindowRatio", &Filter::SetWindowRatio, &Filter::GetWindowRatio, ratio, 1.5);
   ExpectProperty<Filter, double>(
-    "SharpAngle", &Filter::SetSharpAngle, &Filter::GetSharpAngle, 41.409622, 30.0);
+    "SharpAngle", &Filter::SetSharpAngle, &Filter::GetSharpAngle, angle, 30.0);
   ExpectProperty<Filter, int>("WindowSearch", &Filter::SetWindowSearch, &Filter::GetWindowSearch,
     Filter::CONNECTED, Filter::SPATIAL);
 }
@@ -104,15 +104,16 @@ void ExpectClassificationProperties()
 
 TEST(Properties, OfUSSOD)
 {
-  ExpectClassificationProperties<vtkUSSODFilter>();
+  ExpectClassificationProperties<vtkUSSODFilter>(0.75, 41.409622);
 }
 
 TEST(Properties, OfReconstruction)
 {
   using Filter = vtkSharpEdgeReconstruction;
-  ExpectClassificationProperties<Filter>();
+  ExpectClassificationProperties<Filter>(0.0, 0.0); // both left to the method
   ExpectProperty<Filter, int>(
     "Method", &Filter::SetMethod, &Filter::GetMethod, Filter::ROBUST, Filter::PAPER);
+  ExpectProperty<Filter, bool>("Denoise", &Filter::SetDenoise, &Filter::GetDenoise, false, true);
 }
 
 TEST(Properties, OfSharpening)

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Account.h"
+
+#include "Core/Flagged.h"
+#include "Core/Thinning.h"
+#include "Placement.h"
+#include "Robust.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace arris
+{
+namespace
+{
+/// For each vertex of the region how many edges it is away from the intact ones; -1 outside.
+std::vector<int> DistancesFromIntact(const Connectivity& connectivity, const Flags& region)
+{
+  Flags intact(region.size());
+  std::transform(region.begin(), region.end(), intact.begin(),
+    [](unsigned char damaged) { return static_cast<unsigned char>(damaged ? 0 : 1); });
+  std::vector<int> rounds = EdgesAwayFrom(connectivity, intact, std::numeric_limits<int>::max());
+  for (std::size_t v = 0; v < rounds.size(); ++v)
+  {
+    // A part that is damaged all over has no intact vertex to count from.
+    rounds[v] = region[v] ? std::max(rounds[v], 1) : NeverSharp;
+  }
+  return rounds;
+}
+
+/// The part of a damaged vertex by the number of its ridges' other ends.
+SkeletonRole RoleOf(const Connectivity& connectivity, const Placement& placement, Index v)
+{
+  const std::size_t faces = placement.SheetsOf(v).size();
+  if (faces < 2)
+  {
+    return SkeletonRole::None;
+  }
+  if (faces > 2)
+  {
+    return SkeletonRole::Joint;
+  }
+  int ridges = 0;
+  for (Index n : connectivity.NeighborsOfVertex[v])
+  {
+    ridges += placement.IsDamaged(n) && placement.SheetsOf(n).size() > 1 ? 1 : 0;
+  }
+  return ridges > 1 ? SkeletonRole::Branch : SkeletonRole::End;
+}
+
+Outcome OutcomeOf(Index v, const Vec3& input, const Vec3& wanted, const Placement& placement)
+{
+  const Vec3& now = placement.PointOf(v);
+  if (!placement.IsDamaged(v))
+  {
+    return now != wanted ? Outcome::HeldBack : (now != input ? Outcome::Smoothed : Outcome::Intact);
+  }
+  if (placement.IsTooFar(v))
+  {
+    return Outcome::TooFar;
+  }
+  if (placement.IsLost(v))
+  {
+    return Outcome::NoFace;
+  }
+  return now != wanted ? Outcome::HeldBack : (now != input ? Outcome::Moved : Outcome::Right);
+}
+}
+
+void TellSkeleton(const Connectivity& connectivity, const Placement& placement,
+  const std::vector<Index>& damaged, RobustResult& result)
+{
+  result.Roles.assign(result.Region.size(), SkeletonRole::None);
+  result.Rounds = DistancesFromIntact(connectivity, result.Region);
+  const int last =
+    damaged.empty() ? 0 : *std::max_element(result.Rounds.begin(), result.Rounds.end());
+  for (Index v : damaged)
+  {
+    result.Roles[v] = RoleOf(connectivity, placement, v);
+    if (result.Roles[v] != SkeletonRole::None)
+    {
+      result.Rounds[v] = last + 1;
+    }
+  }
+}
+
+void TellOutcomes(const std::vector<Vec3>& input, const std::vector<Vec3>& wanted,
+  const Placement& placement, RobustResult& result)
+{
+  result.Outcomes.resize(input.size());
+  for (std::size_t v = 0; v < input.size(); ++v)
+  {
+    result.Outcomes[v] = OutcomeOf(static_cast<Index>(v), input[v], wanted[v], placement);
+  }
+}
+}
