@@ -6,6 +6,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace arris
@@ -44,36 +45,37 @@ Rows CollectTrianglesOfVertex(const Mesh& mesh)
   return rows;
 }
 
-/// The vertices that share a triangle with `vertex`, ascending, each once.
-void GatherNeighbors(
-  const Mesh& mesh, IndexSpan triangles, Index vertex, std::vector<Index>& neighbors)
+/// Writes the vertices that share a triangle with `vertex`, ascending, each once, to where there is
+/// room for two a triangle; how many there are.
+Index GatherNeighbors(const Mesh& mesh, IndexSpan triangles, Index vertex, Index* neighbors)
 {
-  neighbors.clear();
+  Index* end = neighbors;
   for (Index t : triangles)
   {
     for (Index other : mesh.Triangles[t])
     {
       if (other != vertex)
       {
-        neighbors.push_back(other);
+        *end++ = other;
       }
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  std::sort(neighbors, end);
+  return static_cast<Index>(std::unique(neighbors, end) - neighbors);
 }
 
 Rows CollectNeighborsOfVertex(const Mesh& mesh, const Rows& trianglesOfVertex)
 {
-  std::vector<Index> lengths(mesh.Points.size(), 0);
+  std::vector<Index> lengths(mesh.Points.size());
+  const auto room = std::unique_ptr<Index[]>(new Index[2 * trianglesOfVertex.Values.size()]);
+  const auto roomOf = [&](Index v)
+  { return room.get() + 2 * static_cast<std::size_t>(trianglesOfVertex.Offsets[v]); };
   ParallelFor(mesh.VertexCount(),
     [&](Index begin, Index end)
     {
-      std::vector<Index> neighbors;
       for (Index v = begin; v < end; ++v)
       {
-        GatherNeighbors(mesh, trianglesOfVertex[v], v, neighbors);
-        lengths[v] = static_cast<Index>(neighbors.size());
+        lengths[v] = GatherNeighbors(mesh, trianglesOfVertex[v], v, roomOf(v));
       }
     });
   Rows rows;
@@ -82,11 +84,9 @@ Rows CollectNeighborsOfVertex(const Mesh& mesh, const Rows& trianglesOfVertex)
   ParallelFor(mesh.VertexCount(),
     [&](Index begin, Index end)
     {
-      std::vector<Index> neighbors;
       for (Index v = begin; v < end; ++v)
       {
-        GatherNeighbors(mesh, trianglesOfVertex[v], v, neighbors);
-        std::copy(neighbors.begin(), neighbors.end(), rows.Values.begin() + rows.Offsets[v]);
+        std::copy_n(roomOf(v), lengths[v], rows.Values.begin() + rows.Offsets[v]);
       }
     });
   return rows;

@@ -13,12 +13,14 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace arris
 {
@@ -27,19 +29,25 @@ namespace
 /// The most cells for which three corners a triangle still fit an Index.
 constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
 
-/// The first point that is not finite, or -1.
+/// The first point that is not finite, or how many points there are.
 vtkIdType FirstNonFinitePoint(vtkPoints* points)
 {
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+  std::atomic<vtkIdType> first(points->GetNumberOfPoints());
+  vtkSMPTools::For(0, first,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      return i;
-    }
-  }
-  return -1;
+      for (vtkIdType i = begin; i < std::min<vtkIdType>(end, first); ++i)
+      {
+        double p[3];
+        points->GetPoint(i, p);
+        vtkIdType least = first;
+        while (i < least && !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) &&
+          !first.compare_exchange_weak(least, i))
+        {
+        }
+      }
+    });
+  return first;
 }
 
 /// What is wrong with the cells of one kind, or nothing.
@@ -52,20 +60,17 @@ std::string ProblemWithCells(
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
     cell->GetCurrentCell(count, ids);
-    std::ostringstream problem;
     if (count < fewestPoints)
     {
-      problem << kind << ' ' << cell->GetCurrentCellId() << " has " << count
-              << " points and cannot be cut into triangles";
-      return problem.str();
+      return kind + (' ' + std::to_string(cell->GetCurrentCellId())) + " has " +
+        std::to_string(count) + " points and cannot be cut into triangles";
     }
     for (vtkIdType i = 0; i < count; ++i)
     {
       if (ids[i] < 0 || ids[i] >= pointCount)
       {
-        problem << kind << ' ' << cell->GetCurrentCellId() << " names point " << ids[i]
-                << ", but there are " << pointCount << " points";
-        return problem.str();
+        return kind + (' ' + std::to_string(cell->GetCurrentCellId())) + " names point " +
+          std::to_string(ids[i]) + ", but there are " + std::to_string(pointCount) + " points";
       }
     }
   }
@@ -84,7 +89,7 @@ std::string ProblemWith(vtkPolyData* input)
   if (pointCount > 0)
   {
     const vtkIdType bad = FirstNonFinitePoint(input->GetPoints());
-    if (bad >= 0)
+    if (bad < pointCount)
     {
       return "point " + std::to_string(bad) + " has a coordinate that is not a finite number";
     }

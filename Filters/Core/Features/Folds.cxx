@@ -39,34 +39,53 @@ int LongestEdge(const Mesh& mesh, const Connectivity& connectivity, Index t)
   return longest;
 }
 
+/// The normal of the first triangle that has one on the way across longest edges, oriented like the
+/// thin triangle `t`; zero where there is none.
+Vec3 NormalBeyond(
+  const Mesh& mesh, const Connectivity& connectivity, const std::vector<Vec3>& normals, Index t)
+{
+  Index from = t;
+  double sign = 1.0;
+  for (int i = 0; i < MostThinInARow && from != NoIndex && normals[from].isZero(0.0); ++i)
+  {
+    const int k = LongestEdge(mesh, connectivity, from);
+    const Index to = connectivity.AcrossEdge[from][k];
+    const Triangle& triangle = mesh.Triangles[from];
+    if (to != NoIndex && !WoundAlike(triangle, mesh.Triangles[to], triangle[k], triangle[Next(k)]))
+    {
+      sign = -sign;
+    }
+    from = to;
+  }
+  return from == NoIndex ? Vec3(Vec3::Zero()) : Vec3(sign * normals[from]);
+}
+
 /// The normals, with those of thin triangles taken over from across their longest edges; zero where
 /// there is none to be had.
 std::vector<Vec3> BelievedNormals(const Mesh& mesh, const Connectivity& connectivity)
 {
-  const std::vector<Vec3> own = UnitNormals(mesh, ThinHeight / SliverHeight * Diagonal(mesh));
-  std::vector<Vec3> normals = own;
-  ParallelFor(mesh.TriangleCount(),
+  std::vector<Vec3> normals = UnitNormals(mesh, ThinHeight / SliverHeight * Diagonal(mesh));
+  std::vector<Index> thin;
+  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  {
+    if (normals[t].isZero(0.0))
+    {
+      thin.push_back(t);
+    }
+  }
+  std::vector<Vec3> borrowed(thin.size()); // set once all are known: a thin one lends nothing
+  ParallelFor(static_cast<Index>(thin.size()),
     [&](Index begin, Index end)
     {
-      for (Index t = begin; t < end; ++t)
+      for (Index i = begin; i < end; ++i)
       {
-        Index from = t;
-        double sign = 1.0;
-        for (int i = 0; i < MostThinInARow && from != NoIndex && own[from].isZero(0.0); ++i)
-        {
-          const int k = LongestEdge(mesh, connectivity, from);
-          const Index to = connectivity.AcrossEdge[from][k];
-          const Triangle& triangle = mesh.Triangles[from];
-          if (to != NoIndex &&
-            !WoundAlike(triangle, mesh.Triangles[to], triangle[k], triangle[Next(k)]))
-          {
-            sign = -sign;
-          }
-          from = to;
-        }
-        normals[t] = from == NoIndex ? Vec3(Vec3::Zero()) : Vec3(sign * own[from]);
+        borrowed[i] = NormalBeyond(mesh, connectivity, normals, thin[i]);
       }
     });
+  for (std::size_t i = 0; i < thin.size(); ++i)
+  {
+    normals[thin[i]] = borrowed[i];
+  }
   return normals;
 }
 

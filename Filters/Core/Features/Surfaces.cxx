@@ -4,6 +4,7 @@
 #include "Surfaces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <numeric>
 
@@ -37,26 +38,92 @@ std::vector<unsigned char> Fences(
   return fences;
 }
 
-/// Gives the number `id` to everything connected with `seed`.
-void FloodFrom(Index seed, Index id, const Connectivity& connectivity,
-  const std::vector<unsigned char>& fences, std::vector<Index>& front, std::vector<Index>& ids)
+/// Disjoint sets of triangles that threads may join at once. A root is the lowest of its set, so
+/// that the outcome does not depend on who came first.
+class TriangleSets
 {
-  front.assign(1, seed);
-  ids[seed] = id;
-  while (!front.empty())
+public:
+  explicit TriangleSets(Index count)
+    : Parents(static_cast<std::size_t>(count))
   {
-    const Index t = front.back();
-    front.pop_back();
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index next = connectivity.AcrossEdge[t][k];
-      if (next != NoIndex && ids[next] == NoIndex && !(fences[t] & (1 << k)))
+    ParallelFor(count,
+      [&](Index begin, Index end)
       {
-        ids[next] = id;
-        front.push_back(next);
+        for (Index t = begin; t < end; ++t)
+        {
+          this->Parents[t].store(t, std::memory_order_relaxed);
+        }
+      });
+  }
+
+  Index Root(Index t)
+  {
+    Index parent = this->Parents[t].load(std::memory_order_relaxed);
+    while (parent != t)
+    {
+      // Halves the way for whoever comes next; if another thread did, that is as well.
+      const Index beyond = this->Parents[parent].load(std::memory_order_relaxed);
+      this->Parents[t].compare_exchange_weak(parent, beyond, std::memory_order_relaxed);
+      t = beyond;
+      parent = this->Parents[t].load(std::memory_order_relaxed);
+    }
+    return t;
+  }
+
+  void Join(Index a, Index b)
+  {
+    while (true)
+    {
+      a = this->Root(a);
+      b = this->Root(b);
+      if (a == b)
+      {
+        return;
+      }
+      Index high = std::max(a, b);
+      // Fails if another thread has joined the higher root to something meanwhile.
+      if (this->Parents[high].compare_exchange_strong(
+            high, std::min(a, b), std::memory_order_relaxed))
+      {
+        return;
       }
     }
   }
+
+private:
+  std::vector<std::atomic<Index>> Parents; // never higher than their child
+};
+
+/// For each triangle the number of its surface, in the order of their lowest triangles; how many
+/// there are.
+Index NumberSurfaces(const Connectivity& connectivity, const std::vector<unsigned char>& fences,
+  std::vector<Index>& ids)
+{
+  const auto triangles = static_cast<Index>(fences.size());
+  TriangleSets sets(triangles);
+  ParallelFor(triangles,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const Index next = connectivity.AcrossEdge[t][k];
+          if (next > t && !(fences[t] & (1 << k)))
+          {
+            sets.Join(t, next);
+          }
+        }
+      }
+    });
+  Index count = 0;
+  ids.resize(fences.size());
+  for (Index t = 0; t < triangles; ++t)
+  {
+    const Index root = sets.Root(t);
+    ids[t] = root == t ? count++ : ids[root];
+  }
+  return count;
 }
 
 /// Areas summed in the order of storage, which no thread can change.
@@ -175,16 +242,7 @@ Surfaces FindSurfaces(const Mesh& mesh, const Connectivity& connectivity,
 {
   const std::vector<unsigned char> fences = Fences(mesh, connectivity, sortedFeatures);
   Surfaces surfaces;
-  surfaces.Ids.assign(mesh.Triangles.size(), NoIndex);
-  std::vector<Index> front;
-  Index count = 0;
-  for (Index t = 0; t < mesh.TriangleCount(); ++t)
-  {
-    if (surfaces.Ids[t] == NoIndex)
-    {
-      FloodFrom(t, count++, connectivity, fences, front, surfaces.Ids);
-    }
-  }
+  const Index count = NumberSurfaces(connectivity, fences, surfaces.Ids);
   surfaces.Measures = Measure(mesh, surfaces.Ids, static_cast<std::size_t>(count));
   SortByArea(surfaces);
   CountLoops(mesh, connectivity, sortedFeatures, surfaces);

@@ -16,15 +16,54 @@ namespace
 /// sphere, or in noise, they are alike.
 constexpr double Concentration = 4.0;
 
-/// The angle of a triangle at one of its corners, in radians.
-double AngleAt(const Mesh& mesh, Index t, Index vertex)
+/// Adds up angles from 0 to half a turn by turning a direction by each of them: that takes one arc
+/// tangent for all.
+class AngleSum
 {
-  const Triangle& triangle = mesh.Triangles[t];
-  const int corner = CornerOf(triangle, vertex);
+public:
+  /// The angle between two vectors; none if one of them is zero.
+  void Add(const Vec3& u, const Vec3& v)
+  {
+    const double cosine = u.dot(v);
+    const double sine = u.cross(v).norm();
+    const double scale = std::abs(cosine) + sine; // keeps the direction's length from running off
+    if (scale == 0.0)
+    {
+      return;
+    }
+    const bool wasBelow = this->Y < 0.0;
+    const double x = (this->X * cosine - this->Y * sine) / scale;
+    this->Y = (this->X * sine + this->Y * cosine) / scale;
+    this->X = x;
+    this->Turns += wasBelow && this->Y >= 0.0 ? 1 : 0;
+  }
+
+  /// In radians.
+  double Get() const
+  {
+    const double rest = std::atan2(this->Y, this->X);
+    return 2.0 * Pi * this->Turns + (this->Y < 0.0 ? rest + 2.0 * Pi : rest);
+  }
+
+private:
+  double X = 1.0;
+  double Y = 0.0;
+  int Turns = 0; // whole ones
+};
+
+/// The sum of the angles of the triangles at a vertex, in radians.
+double AngleAround(const Mesh& mesh, IndexSpan triangles, Index vertex)
+{
+  AngleSum sum;
   const Vec3& at = mesh.Points[vertex];
-  const Vec3 u = mesh.Points[triangle[Next(corner)]] - at;
-  const Vec3 v = mesh.Points[triangle[Next(Next(corner))]] - at;
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  for (const Index t : triangles)
+  {
+    const Triangle& triangle = mesh.Triangles[t];
+    const int corner = CornerOf(triangle, vertex);
+    sum.Add(
+      mesh.Points[triangle[Next(corner)]] - at, mesh.Points[triangle[Next(Next(corner))]] - at);
+  }
+  return sum.Get();
 }
 
 /// What the angles around each vertex lack to a full turn, in radians: the curvature it bears.
@@ -40,11 +79,7 @@ std::vector<double> AngleDefects(const Mesh& mesh, const Connectivity& connectiv
         const IndexSpan triangles = connectivity.TrianglesOfVertex[v];
         if (!connectivity.OnBoundary[v] && !triangles.empty())
         {
-          defects[v] = 2.0 * Pi;
-          for (const Index t : triangles)
-          {
-            defects[v] -= AngleAt(mesh, t, v);
-          }
+          defects[v] = 2.0 * Pi - AngleAround(mesh, triangles, v);
         }
       }
     });
