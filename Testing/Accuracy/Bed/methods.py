@@ -40,6 +40,17 @@ def recovered(method, templates, truth, mesh, cell):
     return _by_command(templates[method], mesh)
 
 
+def run(command, shell=False):
+    """Runs a command that has to do its work."""
+    try:
+        done = subprocess.run(command, shell=shell, capture_output=True, text=True,
+                              timeout=TIMEOUT)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise Failed(str(error)) from error
+    if done.returncode != 0:
+        raise Failed(f"exit status {done.returncode}: {done.stderr.strip()[-300:]}")
+
+
 def _by_command(template, mesh):
     """Runs a command on files of doubles. A string goes to the shell, a list does not."""
     with tempfile.TemporaryDirectory() as folder:
@@ -48,14 +59,8 @@ def _by_command(template, mesh):
         shell = isinstance(template, str)
         command = _filled(template, files) if shell else [_filled(w, files) for w in template]
         start = time.perf_counter()
-        try:
-            done = subprocess.run(command, shell=shell, capture_output=True, text=True,
-                                  timeout=TIMEOUT)
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise Failed(str(error)) from error
+        run(command, shell)
         seconds = time.perf_counter() - start
-        if done.returncode != 0:
-            raise Failed(f"exit status {done.returncode}: {done.stderr.strip()[-300:]}")
         if not Path(files["{out}"]).exists():
             raise Failed("no output file")
         return read_mesh(files["{out}"]), seconds

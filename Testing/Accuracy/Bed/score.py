@@ -66,12 +66,16 @@ def over_area(mesh, count):
 
 def edge_figures(truth, mesh, cell, near):
     """Recall and precision of sharp edge length, and the length of false edges in cells."""
-    found = sharp_edges(mesh)
+    return curve_figures(truth, mesh.points, sharp_edges(mesh), cell, near)
+
+
+def curve_figures(truth, points, found, cell, near):
+    """The same for edges that were found in any way: pairs of point ids."""
     where, length = along(truth.mesh.points, truth.segments, CURVE_STEP * cell)
-    hit = Locator(mesh.points, found).closest(where)[0] <= near * cell
+    hit = Locator(points, found).closest(where)[0] <= near * cell
     recall = _share(length[hit].sum(), length.sum())
 
-    where, length = along(mesh.points, found, CURVE_STEP * cell)
+    where, length = along(points, found, CURVE_STEP * cell)
     right = Locator(truth.mesh.points, truth.faint_segments).closest(where)[0] <= near * cell
     wrong = ~right
     wrong[wrong] = ~_beside_tight_bend(truth, where[wrong], cell)
