@@ -13,6 +13,7 @@ wrong = [
     ("bracket.png", scenes.bracket(recover=False), "the mesh as sampling left it"),
     ("roles.png", scenes.roles(array="SharpRegion"), "the region instead of its skeleton"),
     ("features.png", scenes.features(feature_angle=91.0), "without the cube's curves"),
+    ("edges-command.png", scenes.edges_command("--feature-angle", "91"), "no curves of the cube"),
     ("curves.png", scenes.curves(feature_angle=120.0), "without most of its curves"),
 ]
 passed = True

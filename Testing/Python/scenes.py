@@ -4,14 +4,17 @@
 """What the image tests show."""
 
 import os
+import subprocess
+import tempfile
 
 import meshes
 from arris import vtkSharpEdgeExtractor, vtkSharpEdgeReconstruction
-from pictures import actor, draw
+from pictures import actor, draw, read
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFlyingEdges3D
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource, vtkCylinderSource
 from vtkmodules.vtkIOImage import vtkMetaImageReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 SAMPLES = 40
 FEW_SAMPLES = 20  # a chamfer must be many pixels wide to be seen as one
@@ -98,23 +101,48 @@ def colored(data, array, count, of_cells=True):
     return shown
 
 
-def features(feature_angle=30.0):
-    """A cube, a cylinder and a cone: each curve in a color, corners and the tip as points."""
-    solids = vtkAppendPolyData()
+def solids():
+    """A cube, a cylinder and a cone."""
+    joined = vtkAppendPolyData()
     cylinder, cone = vtkCylinderSource(), vtkConeSource()
     for source, place in ((vtkCubeSource(), 0.0), (cylinder, 1.5), (cone, -1.5)):
         source.SetCenter(place, 0.0, 0.0)
-        solids.AddInputConnection(source.GetOutputPort())
+        joined.AddInputConnection(source.GetOutputPort())
     cylinder.SetResolution(32)
     cone.SetResolution(32)
     cone.SetDirection(0.0, 1.0, 0.0)
-    solids.Update()
+    joined.Update()
+    return joined.GetOutput()
+
+
+def features(feature_angle=30.0):
+    """Each curve of the solids in a color, corners and the tip as points."""
+    mesh = solids()
     extract = vtkSharpEdgeExtractor()
     extract.SetFeatureAngle(feature_angle)
-    extract.SetInputData(solids.GetOutput())
+    extract.SetInputData(mesh)
     extract.Update()
     curves, corners = extract.GetOutput(), extract.GetCorners()
-    shown = [actor(solids.GetOutput())]
+    shown = [actor(mesh)]
     shown.append(colored(curves, "CurveId", max(2, curves.GetNumberOfCells())))
     shown.append(colored(corners, "Tip", 2, of_cells=False))
     return draw(shown, direction=(0.3, 0.5, 1.0))
+
+
+def edges_command(*options):
+    """The solids as `arris edges --picture` draws them, at half the size."""
+    with tempfile.TemporaryDirectory() as folder:
+        mesh, picture = os.path.join(folder, "solids.vtp"), os.path.join(folder, "edges.png")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(mesh)
+        writer.SetInputData(solids())
+        writer.Write()
+        subprocess.run(
+            [
+                os.environ["ARRIS_PROGRAM"],
+                *("edges", mesh, "-o", os.path.join(folder, "edges.vtp")),
+                *("--picture", picture, "--quiet", *options),
+            ],
+            check=True,
+        )
+        return read(picture, 0.5)
