@@ -35,6 +35,7 @@ set(sources
   Filters/Core/Features/Hysteresis.cxx
   Filters/Core/Features/Noise.cxx
   Filters/Core/Features/Resampling.cxx
+  Filters/Core/Features/Slivers.cxx
   Filters/Core/Features/Surfaces.cxx
   Filters/Core/Features/Tails.cxx
   Filters/Core/Features/Tips.cxx

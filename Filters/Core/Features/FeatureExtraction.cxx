@@ -4,6 +4,8 @@
 #include "FeatureExtraction.h"
 
 #include "CurveProperties.h"
+#include "Slivers.h"
+#include "Tails.h"
 
 namespace arris
 {
@@ -35,6 +37,13 @@ bool ExtractFeatures(const Mesh& mesh, const Connectivity& connectivity,
     return false;
   }
   features.Faces = FindSurfaces(mesh, connectivity, features.Edges);
+  while (DropSlivers(mesh, features.Faces, features.Edges)) // each time there are fewer edges
+  {
+    const FeatureCriteria& criteria = parameters.Criteria;
+    CutTails(mesh.Points, connectivity.OnBoundary, criteria.TailLength, criteria.MinimumLength,
+      features.Edges);
+    features.Faces = FindSurfaces(mesh, connectivity, features.Edges);
+  }
   features.Network = JoinEdges(EndsOf(features.Edges), mesh.Points,
     { parameters.Criteria.Band.Turn, parameters.CornerReach, SortsOf(features.Edges) });
   OrientCurves(features.Edges, features.Faces.Ids, features.Network.Curves);

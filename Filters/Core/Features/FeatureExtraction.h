@@ -5,7 +5,7 @@
 /// From a mesh to its feature curves, corners and faces.
 ///
 ///  1. FeatureSelection: the mesh edges that are features.
-///  2. Surfaces: the smooth faces between them.
+///  2. Surfaces: the smooth faces between them; Slivers: those that are none.
 ///  3. Curves, CurveProperties: the edges joined, split at corners, and which way they run.
 ///  4. FeatureCorners, Tips: where curves meet, and what is sharp without a curve.
 ///  5. Fits: the shapes of the faces.
