@@ -12,7 +12,8 @@
  *   ContinuationAngle that go on where a feature would end, so that edges which fade into flat end
  *   where they fade. In a noisy neighbourhood (see NoiseFactor) the normals are means;
  * - the boundary of the mesh, and the edges where three or more triangles meet, if wanted;
- * - what closes gaps up to GapLength; but no tails shorter than TailLength.
+ * - what closes gaps up to GapLength; but no tails shorter than TailLength, nor what bounds a face
+ *   of at most four triangles that lies at one of fifty times as many, as large ones.
  *
  * Input: any polygonal data: the output of vtkSharpEdgeReconstruction, whose `SkeletonRole` is used
  * (an edge along the skeleton need only fold by more than ContinuationAngle), a CAD tessellation,

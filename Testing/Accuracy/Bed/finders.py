@@ -110,6 +110,6 @@ def cgal(program, mesh, angle, repeats=1, segmented=False):
             np.savetxt(out, np.insert(plain.tris, 0, 3, axis=1), fmt="%d")
         done = subprocess.run([str(program), file, str(angle), str(repeats), result], check=True,
                               capture_output=True, text=True)
-        ends = np.loadtxt(result, dtype=int, ndmin=2).reshape(-1, 2)
+        ends = np.array(result.read_text("ascii").split(), dtype=int).reshape(-1, 2)
     seconds = float(done.stdout.split()[1 if segmented else 0])
     return Found(plain.points[ends], count_curves(plain.points, ends), seconds)
