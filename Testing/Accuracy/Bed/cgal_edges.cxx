@@ -54,8 +54,8 @@ int main(int argc, char* argv[])
   namespace PMP = CGAL::Polygon_mesh_processing;
   const double detecting =
     MedianSeconds(repeats, [&] { PMP::detect_sharp_edges(mesh, angle, isSharp); });
-  const double segmenting = MedianSeconds(
-    repeats, [&] { PMP::sharp_edges_segmentation(mesh, angle, isSharp, patches); });
+  const double segmenting =
+    MedianSeconds(repeats, [&] { PMP::sharp_edges_segmentation(mesh, angle, isSharp, patches); });
   std::ofstream out(argv[4]);
   for (const auto edge : mesh.edges())
   {

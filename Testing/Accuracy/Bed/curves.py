@@ -125,7 +125,8 @@ def _print_means(rows):
 
 
 def _print_each(rows):
-    print("\n| solid | finder | recall | precision | false, cells | length / true | curves | true |")
+    print("\n| solid | finder | recall | precision | false, cells | length / true | curves "
+          "| true |")
     print("|---|---|---|---|---|---|---|---|")
     for row in rows:
         print(f"| {row['solid']} | {row['finder']} | {row['recall']:.1f} % "
