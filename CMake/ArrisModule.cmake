@@ -58,6 +58,7 @@ set(sources
   Filters/Core/Robust/Region.cxx
   Filters/Core/Robust/Retreat.cxx
   Filters/Core/Robust/Ridge.cxx
+  Filters/Core/Robust/RightAlready.cxx
   Filters/Core/Robust/Robust.cxx
   Filters/Core/Robust/Roughness.cxx
   Filters/Core/Robust/Sheet.cxx

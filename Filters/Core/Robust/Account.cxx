@@ -69,16 +69,20 @@ Outcome OutcomeOf(Index v, const Vec3& input, const Vec3& wanted, const Placemen
 }
 }
 
-void TellSkeleton(const Connectivity& connectivity, const Placement& placement,
-  const std::vector<Index>& damaged, RobustResult& result)
+void TellSkeleton(
+  const Connectivity& connectivity, const Placement& placement, RobustResult& result)
 {
   result.Roles.assign(result.Region.size(), SkeletonRole::None);
   result.Rounds = DistancesFromIntact(connectivity, result.Region);
   const int last =
-    damaged.empty() ? 0 : *std::max_element(result.Rounds.begin(), result.Rounds.end());
-  for (Index v : damaged)
+    result.Rounds.empty() ? 0 : *std::max_element(result.Rounds.begin(), result.Rounds.end());
+  for (std::size_t v = 0; v < result.Region.size(); ++v)
   {
-    result.Roles[v] = RoleOf(connectivity, placement, v);
+    const Index vertex = static_cast<Index>(v);
+    if (placement.IsDamaged(vertex))
+    {
+      result.Roles[v] = RoleOf(connectivity, placement, vertex);
+    }
     if (result.Roles[v] != SkeletonRole::None)
     {
       result.Rounds[v] = last + 1;
@@ -89,10 +93,15 @@ void TellSkeleton(const Connectivity& connectivity, const Placement& placement,
 void TellOutcomes(const std::vector<Vec3>& input, const std::vector<Vec3>& wanted,
   const Placement& placement, RobustResult& result)
 {
-  result.Outcomes.resize(input.size());
   for (std::size_t v = 0; v < input.size(); ++v)
   {
-    result.Outcomes[v] = OutcomeOf(static_cast<Index>(v), input[v], wanted[v], placement);
+    const Outcome outcome = OutcomeOf(static_cast<Index>(v), input[v], wanted[v], placement);
+    const bool untouched =
+      !placement.IsDamaged(static_cast<Index>(v)) && result.Outcomes[v] != Outcome::Intact;
+    if (!untouched) // by this pass; what an earlier one has done stands
+    {
+      result.Outcomes[v] = outcome;
+    }
   }
 }
 }

@@ -27,10 +27,11 @@ enum class Outcome : unsigned char
 };
 
 /// Fills Roles and Rounds: the skeleton, and how far from the intact surface the others are.
-void TellSkeleton(const Connectivity& connectivity, const Placement& placement,
-  const std::vector<Index>& damaged, RobustResult& result);
+void TellSkeleton(
+  const Connectivity& connectivity, const Placement& placement, RobustResult& result);
 
-/// Fills Outcomes, from where vertices were and where they were before some had to go back.
+/// Brings Outcomes up to date, from where vertices were in the input, and where this pass had them
+/// before some had to go back.
 void TellOutcomes(const std::vector<Vec3>& input, const std::vector<Vec3>& wanted,
   const Placement& placement, RobustResult& result);
 }

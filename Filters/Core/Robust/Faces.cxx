@@ -22,6 +22,7 @@ Faces::Faces(const Mesh& mesh, const Connectivity& connectivity, double averageE
   : Centroids(mesh.Triangles.size())
   , Normals(UnitNormals(mesh, averageEdgeLength * RobustSliverHeight / SliverHeight))
   , AreaVectors(mesh.Triangles.size())
+  , Areas(mesh.Triangles.size())
   , VertexNormals(mesh.Points.size())
 {
   ParallelFor(mesh.TriangleCount(),
@@ -32,6 +33,7 @@ Faces::Faces(const Mesh& mesh, const Connectivity& connectivity, double averageE
         const Corners corners(mesh, t);
         this->Centroids[t] = corners.Centroid();
         this->AreaVectors[t] = 0.5 * corners.AreaVector();
+        this->Areas[t] = this->AreaVectors[t].norm();
       }
     });
   ParallelFor(mesh.VertexCount(),

@@ -19,6 +19,7 @@ struct Faces
   std::vector<Vec3> Centroids;
   std::vector<Vec3> Normals; ///< unit; zero for slivers, which have no part in extremes
   std::vector<Vec3> AreaVectors; ///< normal to the triangle, its area long
+  std::vector<double> Areas;
   std::vector<Vec3> VertexNormals; ///< unit, by area; zero where nothing is known
 
   Faces(const Mesh& mesh, const Connectivity& connectivity, double averageEdgeLength);

@@ -6,21 +6,24 @@
 #include "Core/Flagged.h"
 #include "Core/Parallel.h"
 
+#include <algorithm>
+
 namespace arris
 {
 namespace
 {
-constexpr int Passes = 2; // the second for what the first has uncovered
+constexpr int Passes = 2; // the second beside what the first has uncovered
 constexpr int MostEdges = 5; // as far as the sides of a turn reach
 
-/// The vertices outside the region but no more than `MostEdges` away from it.
-std::vector<Index> VerticesBeside(const Connectivity& connectivity, const Flags& region)
+/// The vertices outside the region but no more than `MostEdges` away from what is new in it.
+std::vector<Index> VerticesBeside(
+  const Connectivity& connectivity, const Flags& fresh, const Flags& region)
 {
-  const std::vector<int> away = EdgesAwayFrom(connectivity, region, MostEdges);
+  const std::vector<int> away = EdgesAwayFrom(connectivity, fresh, MostEdges);
   std::vector<Index> beside;
   for (std::size_t v = 0; v < away.size(); ++v)
   {
-    if (away[v] > 0)
+    if (away[v] > 0 && !region[v])
     {
       beside.push_back(static_cast<Index>(v));
     }
@@ -33,9 +36,10 @@ void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, cons
   const std::vector<double>& scales, const std::vector<Turn>& turns, const EdgeAngles& angles,
   Flags& region)
 {
+  Flags fresh = region;
   for (int pass = 0; pass < Passes; ++pass)
   {
-    const std::vector<Index> beside = VerticesBeside(connectivity, region);
+    const std::vector<Index> beside = VerticesBeside(connectivity, fresh, region);
     Flags found(beside.size(), 0);
     ParallelFor(static_cast<Index>(beside.size()),
       [&](Index begin, Index end)
@@ -48,9 +52,10 @@ void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, cons
             !IsFlat(turns[beside[i]]) && ShowsEdge(meter.Measure(beside[i]), angles) ? 1 : 0;
         }
       });
+    std::fill(fresh.begin(), fresh.end(), 0);
     for (std::size_t i = 0; i < beside.size(); ++i)
     {
-      region[beside[i]] = found[i];
+      region[beside[i]] = fresh[beside[i]] = found[i];
     }
   }
 }

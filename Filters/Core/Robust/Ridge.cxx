@@ -18,11 +18,12 @@ class RidgeFinder
 {
 public:
   RidgeFinder(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
-    const Labelling& labelling)
+    const Labelling& labelling, const RightAlready& right)
     : TheMesh(mesh)
     , TheConnectivity(connectivity)
     , TheFaces(faces)
     , TheLabelling(labelling)
+    , Right(right)
     , Cover(mesh.Points.size(), 0)
   {
   }
@@ -34,6 +35,10 @@ public:
     {
       this->Cover[candidate.Vertex] = 1;
     }
+    for (std::size_t v = 0; v < this->Cover.size(); ++v)
+    {
+      this->Cover[v] |= this->Right.OnRidge[v]; // and is not let go
+    }
     // The farthest from the ridge are let go first, as long as no crossing is left uncovered.
     std::sort(candidates.begin(), candidates.end(),
       [](const Candidate& a, const Candidate& b)
@@ -42,7 +47,7 @@ public:
     {
       const bool needed = std::any_of(candidate.Across.begin(), candidate.Across.end(),
         [this](Index other) { return !this->Cover[other]; });
-      if (!needed)
+      if (!needed && !this->Right.OnRidge[candidate.Vertex])
       {
         this->Cover[candidate.Vertex] = 0;
       }
@@ -145,7 +150,9 @@ private:
       }
       if (touchesRegion)
       {
-        labels[t] = label != NoIndex ? label : this->LabelBetweenRidges(corners);
+        labels[t] = label != NoIndex         ? label
+          : this->Right.Labels[t] != NoIndex ? this->Right.Labels[t]
+                                             : this->LabelBetweenRidges(corners);
       }
     }
     return labels;
@@ -185,13 +192,14 @@ private:
   const Connectivity& TheConnectivity;
   const Faces& TheFaces;
   const Labelling& TheLabelling;
+  const RightAlready& Right;
   Flags Cover;
 };
 }
 
 Ridge FindRidge(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
-  const Labelling& labelling)
+  const Labelling& labelling, const RightAlready& right)
 {
-  return RidgeFinder(mesh, connectivity, faces, labelling).Find();
+  return RidgeFinder(mesh, connectivity, faces, labelling, right).Find();
 }
 }

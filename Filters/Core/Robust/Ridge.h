@@ -7,7 +7,7 @@
 #ifndef arris_Robust_Ridge_h
 #define arris_Robust_Ridge_h
 
-#include "Labelling.h"
+#include "RightAlready.h"
 
 namespace arris
 {
@@ -18,7 +18,7 @@ struct Ridge
 };
 
 Ridge FindRidge(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
-  const Labelling& labelling);
+  const Labelling& labelling, const RightAlready& right);
 
 /// Normals closer than this are one face for the purpose of edges, in degrees.
 constexpr double LeastCrossingAngle = 15.0;

@@ -21,11 +21,18 @@ namespace arris
 {
 namespace
 {
-// How far the progress has come after smoothing what is rough, after measuring turns, and after
-// fitting sides.
-constexpr double Smooth = 0.2;
-constexpr double Measured = 0.5;
+// How far the progress has come after smoothing what is rough; in a pass after measuring turns, and
+// after fitting sides.
+constexpr double Smooth = 0.1;
+constexpr double Measured = 0.4;
 constexpr double Fitted = 0.8;
+
+/// Where edges meet, the first pass may not see all of them; on what it has recovered the next
+/// does.
+constexpr int RecoveryPasses = 2;
+
+/// As far as a turn looks, in edges.
+constexpr int TurnReach = 6;
 
 /// The steps of the method, in order, on one mesh.
 class Recovery
@@ -44,111 +51,137 @@ public:
 
   RobustResult Run()
   {
-    const StopWatch classification;
+    this->Result.Region.assign(this->Input.Points.size(), 0);
+    this->Result.Outcomes.assign(this->Input.Points.size(), Outcome::Intact);
     if (!this->TakeSmoothCopy())
     {
       return {};
     }
-    const Faces faces(this->Work(), this->TheConnectivity, this->AverageEdgeLength);
-    if (!this->Classify(faces))
+    const int passes = this->IsRough() ? 1 : RecoveryPasses;
+    for (int pass = 0; pass < passes; ++pass)
     {
-      return {};
+      const double part = (1.0 - Smooth) / passes;
+      if (!this->RunPass(this->TheMonitor.Part(Smooth + pass * part, Smooth + (pass + 1) * part)))
+      {
+        return {};
+      }
     }
-    this->Result.ClassificationSeconds = classification.Seconds();
-
-    const StopWatch thinning;
-    const Surroundings around{ this->Work(), this->TheConnectivity, faces, this->Scales,
-      this->Result.NormalDifferences, this->Result.Rounding, this->Result.Rough.Degree };
-    Labelling labelling;
-    if (!LabelVertices(
-          around, this->TheMonitor.Part(Measured, Fitted), this->Result.Region, labelling))
-    {
-      return {};
-    }
-    const std::vector<Apex> apexes = FindApexes(around, this->Result.Region, labelling);
-    const Ridge ridge = FindRidge(this->Work(), this->TheConnectivity, faces, labelling);
-    this->Result.ThinningSeconds = thinning.Seconds();
-
-    const StopWatch sharpening;
-    this->Sharpen(labelling, apexes, ridge);
-    this->Result.SharpeningSeconds = sharpening.Seconds();
     if (!this->TheMonitor.Report(1.0))
     {
       return {};
     }
+    this->Result.Points = std::move(this->Work.Points);
     return std::move(this->Result);
   }
 
 private:
   bool IsRough() const { return this->Result.Rough.Degree > 0.0; }
 
-  /// The mesh that is worked on.
-  const Mesh& Work() const { return this->IsRough() ? this->Copy : this->Input; }
-
   /// What is rough is worked on in a smooth copy.
   bool TakeSmoothCopy()
   {
+    const StopWatch watch;
     this->Result.Rough = MeasureRoughness(this->Input, this->TheConnectivity, this->Scales);
-    if (this->IsRough())
+    this->Work.Triangles = this->Input.Triangles;
+    this->Work.Points = this->IsRough()
+      ? DenoisedPoints(this->Input, this->TheConnectivity, this->Scales, this->Result.Rough,
+          this->TheMonitor.Part(0.0, Smooth))
+      : this->Input.Points;
+    this->Result.ClassificationSeconds += watch.Seconds();
+    return this->Work.Points.size() == this->Input.Points.size();
+  }
+
+  bool RunPass(const Monitor& monitor)
+  {
+    const StopWatch classification;
+    const Faces faces(this->Work, this->TheConnectivity, this->AverageEdgeLength);
+    if (!this->Classify(faces, monitor.Part(0.0, Measured)))
     {
-      this->Copy.Triangles = this->Input.Triangles;
-      this->Copy.Points = DenoisedPoints(this->Input, this->TheConnectivity, this->Scales,
-        this->Result.Rough, this->TheMonitor.Part(0.0, Smooth));
+      return false;
     }
-    return this->Work().Points.size() == this->Input.Points.size();
+    this->Result.ClassificationSeconds += classification.Seconds();
+
+    const StopWatch thinning;
+    const Surroundings around{ this->Work, this->TheConnectivity, faces, this->Scales,
+      this->Result.NormalDifferences, this->Result.Rounding, this->Result.Rough.Degree };
+    Labelling labelling;
+    if (!LabelVertices(around, monitor.Part(Measured, Fitted), this->Region, labelling))
+    {
+      return false;
+    }
+    const std::vector<Apex> apexes = FindApexes(around, this->Region, labelling);
+    const RightAlready right =
+      FindRightAlready(this->Work, this->TheConnectivity, faces, this->Scales, labelling);
+    const Ridge ridge = FindRidge(this->Work, this->TheConnectivity, faces, labelling, right);
+    this->Result.ThinningSeconds += thinning.Seconds();
+
+    const StopWatch sharpening;
+    this->Sharpen(labelling, apexes, ridge);
+    this->Result.SharpeningSeconds += sharpening.Seconds();
+    return true;
   }
 
   /// Finds the sharp region.
-  bool Classify(const Faces& faces)
+  bool Classify(const Faces& faces, const Monitor& monitor)
   {
     // A window that the user has set is the same everywhere; all else about a turn goes with it.
     const double set = this->Parameters.WindowRadius / TurnWindow;
     const std::vector<double> scales =
       set > 0.0 ? std::vector<double>(this->Scales.size(), set) : this->Scales;
-    const std::vector<Turn> turns = this->MeasureTurns(faces, scales);
-    if (turns.size() != this->Work().Points.size())
+    const bool first = this->Turns.empty();
+    if (!this->MeasureTurns(faces, scales, monitor))
     {
       return false;
     }
-    this->TellTurns(turns, scales);
     const EdgeAngles angles =
       EdgeAngles::Of(this->Result.Rough.Degree, this->Parameters.SharpAngle);
-    this->Result.SharpAngle = angles.Seed;
-    SharpRegion sharp = FindSharpRegion(this->Work(), this->TheConnectivity, turns, scales, angles);
-    this->Result.Region = std::move(sharp.Vertices);
-    this->Result.Rounding = sharp.Rounding;
+    SharpRegion sharp =
+      FindSharpRegion(this->Work, this->TheConnectivity, this->Turns, scales, angles);
+    this->Region = std::move(sharp.Vertices);
     ExtendToOtherEdges(
-      this->Work(), this->TheConnectivity, faces, scales, turns, angles, this->Result.Region);
-    SpareThinFaces(this->Work(), this->TheConnectivity, faces, this->Scales, this->Result.Region);
+      this->Work, this->TheConnectivity, faces, scales, this->Turns, angles, this->Region);
+    SpareThinFaces(this->Work, this->TheConnectivity, faces, this->Scales, this->Region);
+    if (first)
+    {
+      this->Result.SharpAngle = angles.Seed;
+      this->Result.Rounding = sharp.Rounding;
+      this->TellTurns(scales);
+    }
     return true;
   }
 
-  std::vector<Turn> MeasureTurns(const Faces& faces, const std::vector<double>& scales) const
+  /// Measures the turn where something has moved since it was measured last, at first everywhere.
+  bool MeasureTurns(const Faces& faces, const std::vector<double>& scales, const Monitor& monitor)
   {
-    std::vector<Turn> turns(this->Work().Points.size());
-    const bool finished =
-      ParallelFor(this->Work().VertexCount(), this->TheMonitor.Part(Smooth, Measured),
-        [&](Index begin, Index end)
+    const bool first = this->Turns.empty();
+    this->Turns.resize(this->Work.Points.size());
+    const std::vector<int> away = first
+      ? std::vector<int>(this->Turns.size(), 0)
+      : EdgesAwayFrom(this->TheConnectivity, this->Moved, TurnReach);
+    return ParallelFor(this->Work.VertexCount(), monitor,
+      [&](Index begin, Index end)
+      {
+        TurnMeter meter(this->Work, this->TheConnectivity, faces, scales);
+        for (Index v = begin; v < end; ++v)
         {
-          TurnMeter meter(this->Work(), this->TheConnectivity, faces, scales);
-          for (Index v = begin; v < end; ++v)
+          if (away[v] >= 0)
           {
-            turns[v] = meter.Measure(v);
+            this->Turns[v] = meter.Measure(v);
           }
-        });
-    return finished ? turns : std::vector<Turn>();
+        }
+      });
   }
 
-  void TellTurns(const std::vector<Turn>& turns, const std::vector<double>& scales)
+  void TellTurns(const std::vector<double>& scales)
   {
-    this->Result.WindowRadii.resize(turns.size());
-    this->Result.NormalDifferences.resize(turns.size());
-    this->Result.Jumps.resize(turns.size());
-    for (std::size_t v = 0; v < turns.size(); ++v)
+    this->Result.WindowRadii.resize(this->Turns.size());
+    this->Result.NormalDifferences.resize(this->Turns.size());
+    this->Result.Jumps.resize(this->Turns.size());
+    for (std::size_t v = 0; v < this->Turns.size(); ++v)
     {
       this->Result.WindowRadii[v] = TurnWindow * scales[v];
-      this->Result.NormalDifferences[v] = DifferenceOfAngle(turns[v].Deviation);
-      this->Result.Jumps[v] = std::max(0.0, turns[v].Jump);
+      this->Result.NormalDifferences[v] = DifferenceOfAngle(this->Turns[v].Deviation);
+      this->Result.Jumps[v] = std::max(0.0, this->Turns[v].Jump);
     }
   }
 
@@ -156,9 +189,8 @@ private:
   void Sharpen(const Labelling& labelling, const std::vector<Apex>& apexes, const Ridge& ridge)
   {
     Placement placement(
-      this->Work(), this->TheConnectivity, labelling, this->Scales, ridge.FaceLabels);
-    const std::vector<Index> damaged = Flagged(this->Result.Region);
-    for (Index v : damaged)
+      this->Work, this->TheConnectivity, labelling, this->Scales, ridge.FaceLabels);
+    for (Index v : Flagged(this->Region))
     {
       placement.Place(v);
     }
@@ -166,19 +198,23 @@ private:
     {
       for (Index v : apex.Members)
       {
-        placement.Pin(v, v == apex.Vertex ? apex.Tip : this->Work().Points[v]);
+        placement.Pin(v, v == apex.Vertex ? apex.Tip : this->Work.Points[v]);
       }
     }
-    Untangle(this->Work(), this->TheConnectivity, this->Scales, placement);
-    if (!this->Parameters.Denoise)
+    Untangle(this->Work, this->TheConnectivity, this->Scales, placement);
+    if (this->IsRough() && !this->Parameters.Denoise)
     {
       this->PutIntactBack(placement);
     }
     const std::vector<Vec3> wanted = placement.AllPoints();
-    Retreat(this->Input, this->TheConnectivity, placement);
-    TellSkeleton(this->TheConnectivity, placement, damaged, this->Result);
+    Retreat(this->IsRough() ? this->Input : this->Work, this->TheConnectivity, placement);
+    for (std::size_t v = 0; v < this->Region.size(); ++v)
+    {
+      this->Result.Region[v] |= this->Region[v];
+    }
+    TellSkeleton(this->TheConnectivity, placement, this->Result);
     TellOutcomes(this->Input.Points, wanted, placement, this->Result);
-    this->Result.Points = placement.TakePoints();
+    this->TakePoints(placement);
   }
 
   void PutIntactBack(Placement& placement) const
@@ -192,14 +228,30 @@ private:
     }
   }
 
+  void TakePoints(Placement& placement)
+  {
+    std::vector<Vec3> points = placement.TakePoints();
+    this->Moved.resize(points.size());
+    for (std::size_t v = 0; v < points.size(); ++v)
+    {
+      this->Moved[v] = points[v] != this->Work.Points[v] ? 1 : 0;
+    }
+    this->Work.Points = std::move(points);
+  }
+
   const Mesh& Input;
   const Connectivity& TheConnectivity;
   double AverageEdgeLength;
   const RobustParameters& Parameters;
   const Monitor& TheMonitor;
   std::vector<double> Scales;
-  Mesh Copy; ///< the input smoothed, if it is rough
   RobustResult Result;
+
+  // Of the pass.
+  Mesh Work; ///< what the passes before have made of the input, or of its smooth copy
+  Flags Moved; ///< by the pass before
+  std::vector<Turn> Turns;
+  Flags Region;
 };
 }
 

@@ -29,6 +29,10 @@ constexpr double LeastSideArea = 0.3;
 /// one row and give no slope.
 constexpr double SlopeRidge = 0.02;
 
+/// The mean square of sines by which normals turn in a direction: under 1.5 degrees (root mean
+/// square) no jump in that direction reaches that of an edge.
+constexpr double LeastSpread = 7e-4;
+
 /// A window with less deviation holds no edge, in degrees.
 constexpr double FlatDeviation = 6.0;
 
@@ -71,7 +75,7 @@ Turn TurnMeter::Measure(Index vertex)
   for (const SeenFace& seen : this->Near)
   {
     sum += this->TheFaces.AreaVectors[seen.Face];
-    area += this->TheFaces.AreaVectors[seen.Face].norm();
+    area += this->TheFaces.Areas[seen.Face];
   }
   if (!(sum.norm() > 0.0))
   {
@@ -82,7 +86,7 @@ Turn TurnMeter::Measure(Index vertex)
   for (const SeenFace& seen : this->Near)
   {
     const Vec3& areaVector = this->TheFaces.AreaVectors[seen.Face];
-    const double faceArea = areaVector.norm();
+    const double faceArea = this->TheFaces.Areas[seen.Face];
     if (faceArea > 0.0)
     {
       const Vec3 difference = areaVector / faceArea - meanNormal;
@@ -91,9 +95,14 @@ Turn TurnMeter::Measure(Index vertex)
   }
   // Across the edge the normals vary most. At a hole's rim they may vary more along it: the second
   // direction is tried as well.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(spread);
   for (int axis : { 2, 1 })
   {
+    if (solver.eigenvalues()[axis] < LeastSpread * area)
+    {
+      break;
+    }
     Vec3 across = solver.eigenvectors().col(axis);
     across -= across.dot(meanNormal) * meanNormal;
     if (across.norm() < 0.3)
@@ -115,13 +124,33 @@ void TurnMeter::MeasureAcross(
   const Vec3& meanNormal, const Vec3& across, const std::vector<Index>& window, Turn& turn) const
 {
   const Vec3 along = meanNormal.cross(across);
-  const Side left = this->FitSide(across, along, -1.0, RingInner, RingOuter);
-  const Side right = this->FitSide(across, along, 1.0, RingInner, RingOuter);
+  SideSums sums[2], wide[2]; // left and right
+  for (const SeenFace& seen : this->Near)
+  {
+    const double s = seen.Offset.dot(across);
+    const double reach = std::abs(s);
+    if (reach < RingInner || std::abs(seen.Offset.dot(along)) > HalfWidthAlong)
+    {
+      continue;
+    }
+    const double squared = seen.Offset.squaredNorm();
+    const int which = s > 0.0 ? 1 : 0;
+    const double area = this->TheFaces.Areas[seen.Face];
+    const Vec3& areaVector = this->TheFaces.AreaVectors[seen.Face];
+    if (squared <= RingOuter * RingOuter)
+    {
+      sums[which].Add(s, area, areaVector);
+    }
+    if (reach >= RingInner + WideRingShift)
+    {
+      wide[which].Add(s, area, areaVector); // all are near enough
+    }
+  }
+  const double leastArea = LeastSideArea * this->Scale * this->Scale;
+  const Side left = sums[0].Fit(leastArea);
+  const Side right = sums[1].Fit(leastArea);
   turn.Jump = this->JumpOf(left, right, across);
-  turn.WideJump = this->JumpOf(
-    this->FitSide(across, along, -1.0, RingInner + WideRingShift, RingOuter + WideRingShift),
-    this->FitSide(across, along, 1.0, RingInner + WideRingShift, RingOuter + WideRingShift),
-    across);
+  turn.WideJump = this->JumpOf(wide[0].Fit(leastArea), wide[1].Fit(leastArea), across);
 
   double least = 1e300, most = -1e300, first = 1e300, last = -1e300;
   for (Index face : window)
@@ -199,35 +228,26 @@ void TurnMeter::GatherNear(Index vertex, double radius)
   }
 }
 
-TurnMeter::Side TurnMeter::FitSide(
-  const Vec3& across, const Vec3& along, double sign, double nearest, double farthest) const
+void TurnMeter::SideSums::Add(double s, double area, const Vec3& areaVector)
 {
-  double w = 0.0, ws = 0.0, wss = 0.0;
-  Vec3 wn = Vec3::Zero(), wsn = Vec3::Zero();
-  for (const SeenFace& seen : this->Near)
-  {
-    const double s = seen.Offset.dot(across);
-    if (s * sign < nearest || std::abs(seen.Offset.dot(along)) > HalfWidthAlong ||
-      seen.Offset.squaredNorm() > farthest * farthest)
-    {
-      continue;
-    }
-    const Vec3& areaVector = this->TheFaces.AreaVectors[seen.Face];
-    const double area = areaVector.norm();
-    w += area;
-    ws += area * s;
-    wss += area * s * s;
-    wn += areaVector;
-    wsn += s * areaVector;
-  }
+  this->Area += area;
+  this->S += area * s;
+  this->SS += area * s * s;
+  this->N += areaVector;
+  this->SN += s * areaVector;
+}
+
+TurnMeter::Side TurnMeter::SideSums::Fit(double leastArea) const
+{
   Side side;
-  if (w < LeastSideArea * this->Scale * this->Scale)
+  if (this->Area < leastArea)
   {
     return side;
   }
-  const double meanS = ws / w;
-  side.Mean = wn / w;
-  side.Slope = (wsn / w - meanS * side.Mean) / (wss / w - meanS * meanS + SlopeRidge);
+  const double meanS = this->S / this->Area;
+  side.Mean = this->N / this->Area;
+  side.Slope = (this->SN / this->Area - meanS * side.Mean) /
+    (this->SS / this->Area - meanS * meanS + SlopeRidge);
   side.Intercept = side.Mean - meanS * side.Slope;
   side.Known = true;
   return side;

@@ -61,11 +61,22 @@ private:
     bool Known = false;
   };
 
+  /// The sums that a side is fitted from.
+  struct SideSums
+  {
+    double Area = 0.0;
+    double S = 0.0;
+    double SS = 0.0;
+    Vec3 N = Vec3::Zero();
+    Vec3 SN = Vec3::Zero();
+
+    void Add(double s, double area, const Vec3& areaVector);
+    Side Fit(double leastArea) const;
+  };
+
   const std::vector<Index>& GatherWindow(Index vertex);
   void GatherNear(Index vertex, double radius);
   bool IsBarrier(Index face) const;
-  Side FitSide(
-    const Vec3& across, const Vec3& along, double sign, double nearest, double farthest) const;
   double JumpOf(const Side& left, const Side& right, const Vec3& across) const;
   void MeasureAcross(
     const Vec3& meanNormal, const Vec3& across, const std::vector<Index>& window, Turn& turn) const;
