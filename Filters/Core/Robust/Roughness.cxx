@@ -19,13 +19,20 @@ constexpr double Radius = 2.0; // in local scales: as near as a second-order fit
 constexpr std::size_t LeastPoints = 10;
 constexpr Index MostProbes = 4000;
 
-/// The share of probes that are surely away from edges, on whatever part.
+/// Where normals of vertices turn by more than this from their mean, in degrees, there is an edge:
+/// noise of a tenth of the edge length turns them by half as much.
+constexpr double EdgeTurn = 25.0;
+
+/// The share of the other probes that are surely away from edges.
 constexpr double SmoothShare = 0.2;
 
-// In local scales. Measured at 64^3: contours of exact distances up to .0020, blended ones up to
-// .0062, segmentations .0069 to .018, noise of a tenth of the edge length .062 to .076.
-constexpr double SmoothHeight = 0.0055;
-constexpr double RoughHeight = 0.0075;
+/// Fewer probes than this say nothing.
+constexpr std::size_t LeastProbes = 20;
+
+// In local scales. Measured: contours of exact and of blurred distances up to .0027 (32 to 128
+// cells), segmentations from .0062, noise of a tenth of the edge length from .058.
+constexpr double SmoothHeight = 0.0035;
+constexpr double RoughHeight = 0.005;
 
 struct Probe
 {
@@ -49,15 +56,8 @@ public:
     const Vec3& x = mesh.Points[vertex];
     const std::vector<Index>& near = this->Near.Gather(
       mesh.Points, this->TheConnectivity, vertex, x, Radius * this->Scales[vertex]);
-    Vec3 normal = Vec3::Zero();
-    for (Index v : near)
-    {
-      for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
-      {
-        normal += Corners(mesh, t).AreaVector();
-      }
-    }
-    if (near.size() < LeastPoints || !(normal.norm() > 0.0))
+    const Vec3 normal = this->MeanNormal(near);
+    if (near.size() < LeastPoints || this->TurnFrom(normal, near) > EdgeTurn)
     {
       return {};
     }
@@ -92,6 +92,39 @@ public:
   }
 
 private:
+  /// The normals of the triangles around a vertex, by area.
+  Vec3 NormalSum(Index vertex) const
+  {
+    Vec3 sum = Vec3::Zero();
+    for (Index t : this->TheConnectivity.TrianglesOfVertex[vertex])
+    {
+      sum += Corners(this->TheMesh, t).AreaVector();
+    }
+    return sum;
+  }
+
+  Vec3 MeanNormal(const std::vector<Index>& vertices) const
+  {
+    Vec3 sum = Vec3::Zero();
+    for (Index v : vertices)
+    {
+      sum += this->NormalSum(v);
+    }
+    return sum;
+  }
+
+  /// The largest angle of a vertex's normal with this one, in degrees.
+  double TurnFrom(const Vec3& normal, const std::vector<Index>& vertices) const
+  {
+    double largest = 0.0;
+    for (Index v : vertices)
+    {
+      const Vec3 own = this->NormalSum(v);
+      largest = std::max(largest, std::atan2(own.cross(normal).norm(), own.dot(normal)));
+    }
+    return largest * 180.0 / Pi;
+  }
+
   const Mesh& TheMesh;
   const Connectivity& TheConnectivity;
   const std::vector<double>& Scales;
@@ -130,7 +163,7 @@ Roughness MeasureRoughness(
     }
   }
   Roughness roughness;
-  if (!heights.empty())
+  if (heights.size() >= LeastProbes)
   {
     roughness.Height = Quantile(heights, SmoothShare);
     roughness.Angle = Quantile(angles, SmoothShare);
