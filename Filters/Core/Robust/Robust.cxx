@@ -138,6 +138,7 @@ private:
     SharpRegion sharp =
       FindSharpRegion(this->Work, this->TheConnectivity, this->Turns, scales, angles);
     this->Region = std::move(sharp.Vertices);
+    this->KeepRegion();
     ExtendToOtherEdges(
       this->Work, this->TheConnectivity, faces, scales, this->Turns, angles, this->Region);
     SpareThinFaces(this->Work, this->TheConnectivity, faces, this->Scales, this->Region);
@@ -148,6 +149,16 @@ private:
       this->TellTurns(scales);
     }
     return true;
+  }
+
+  /// What an earlier pass has found damaged stays so, even where a shallow edge shows less now: a
+  /// gap would join the faces on its two sides.
+  void KeepRegion()
+  {
+    for (std::size_t v = 0; v < this->Region.size(); ++v)
+    {
+      this->Region[v] |= this->Result.Region[v];
+    }
   }
 
   /// Measures the turn where something has moved since it was measured last, at first everywhere.
