@@ -5,6 +5,7 @@ find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 set(classes
   Filters/vtkSharpEdgeExtractor
   Filters/vtkSharpEdgeReconstruction
+  Filters/vtkSharpRegionAlgorithm
   Filters/vtkSharpThinningFilter
   Filters/vtkSharpeningFilter
   Filters/vtkUSSODFilter)
@@ -18,6 +19,7 @@ set(sources
   Filters/Core/Intersections.cxx
   Filters/Core/Mesh.cxx
   Filters/Core/NormalSpread.cxx
+  Filters/Core/Picks.cxx
   Filters/Core/Predictor.cxx
   Filters/Core/Sharpening.cxx
   Filters/Core/Skeleton.cxx
@@ -68,12 +70,15 @@ set(sources
   Filters/Core/Robust/Unexplained.cxx
   Filters/Core/Robust/Untangle.cxx
   Filters/Support/Arrays.cxx
+  Filters/Support/Classification.cxx
   Filters/Support/FaceTable.cxx
   Filters/Support/FeatureOutputs.cxx
   Filters/Support/PaperMethod.cxx
+  Filters/Support/PickedPoints.cxx
   Filters/Support/PointMerging.cxx
   Filters/Support/Polylines.cxx
   Filters/Support/RobustMethod.cxx
+  Filters/Support/Selections.cxx
   Filters/Support/Surface.cxx)
 
 vtk_module_add_module(Arris::Filters

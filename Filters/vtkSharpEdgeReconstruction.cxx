@@ -4,6 +4,7 @@
 #include "vtkSharpEdgeReconstruction.h"
 
 #include "Support/Arrays.h"
+#include "Support/Classification.h"
 #include "Support/FilterMonitor.h"
 #include "Support/PaperMethod.h"
 #include "Support/Parameters.h"
@@ -30,13 +31,9 @@ std::string ProblemWithMethod(int method)
 
 //------------------------------------------------------------------------------
 vtkSharpEdgeReconstruction::vtkSharpEdgeReconstruction()
-  : Method(ROBUST)
-  , Window(0.0)
-  , WindowRatio(0.0)
-  , SharpAngle(0.0)
-  , WindowSearch(CONNECTED)
-  , Denoise(false)
 {
+  this->WindowRatio = 0.0;
+  this->SharpAngle = 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -47,33 +44,24 @@ int vtkSharpEdgeReconstruction::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
 
   arris::Surface surface;
-  const std::string problem = arris::FirstProblem(
+  arris::ClassificationParameters parameters;
+  std::string problem = arris::FirstProblem(
     { arris::ProblemWithOptionalWindow(this->Window, this->WindowRatio, this->WindowSearch),
       arris::ProblemWithOptionalAngle("SharpAngle", this->SharpAngle),
       ProblemWithMethod(this->Method) },
     [&] { return arris::ReadSurface(input, output, surface); });
+  problem = problem.empty() ? this->ChooseParameters(inputVector, surface, parameters) : problem;
   if (!problem.empty())
   {
+    output->Initialize();
     vtkErrorMacro(<< problem);
     return 1;
   }
 
   const arris::Monitor monitor = arris::MonitorOf(this);
-  bool finished = false;
-  if (this->Method == ROBUST)
-  {
-    finished = this->RecoverRobustly(surface, monitor, output);
-  }
-  else
-  {
-    arris::PaperParameters parameters;
-    parameters.WindowRadius = arris::WindowRadius(this->Window,
-      this->WindowRatio > 0.0 ? this->WindowRatio : arris::DefaultWindowRatio,
-      surface.AverageEdgeLength);
-    parameters.SharpAngle = this->SharpAngle > 0.0 ? this->SharpAngle : arris::DefaultSharpAngle;
-    parameters.Search = static_cast<arris::WindowSearch>(this->WindowSearch);
-    finished = arris::RecoverByPaper(surface, parameters, monitor, output);
-  }
+  const bool finished = this->Method == ROBUST
+    ? this->RecoverRobustly(surface, parameters, monitor, output)
+    : arris::RecoverByPaper(input, surface, parameters, *this->Classifier, monitor, output);
   if (!finished)
   {
     output->Initialize(); // aborted
@@ -82,18 +70,21 @@ int vtkSharpEdgeReconstruction::RequestData(
 }
 
 //------------------------------------------------------------------------------
-bool vtkSharpEdgeReconstruction::RecoverRobustly(
-  const arris::Surface& surface, const arris::Monitor& monitor, vtkPolyData* output)
+bool vtkSharpEdgeReconstruction::RecoverRobustly(const arris::Surface& surface,
+  const arris::ClassificationParameters& chosen, const arris::Monitor& monitor, vtkPolyData* output)
 {
   arris::RobustParameters parameters;
-  parameters.WindowRadius =
-    arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
-  parameters.SharpAngle = this->SharpAngle;
+  parameters.WindowRadius = this->PointsArePicked
+    ? chosen.WindowRadius
+    : arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
+  parameters.SharpAngle = this->PointsArePicked ? chosen.SharpAngle : this->SharpAngle;
   parameters.Denoise = this->Denoise;
   if (!arris::RecoverByRobust(surface, parameters, monitor, output))
   {
     return false;
   }
+  this->SetUsed(arris::FieldValue(output, arris::array::Lambda, 0.0), surface.AverageEdgeLength,
+    arris::FieldValue(output, arris::array::SharpAngle, 0.0));
   if (arris::IsRough(output))
   {
     vtkWarningMacro(
@@ -109,9 +100,5 @@ void vtkSharpEdgeReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << (this->Method == PAPER ? "Paper" : "Robust") << "\n";
-  os << indent << "Window: " << this->Window << "\n";
-  os << indent << "WindowRatio: " << this->WindowRatio << "\n";
-  os << indent << "SharpAngle: " << this->SharpAngle << "\n";
-  os << indent << "WindowSearch: " << this->WindowSearch << "\n";
   os << indent << "Denoise: " << (this->Denoise ? "On" : "Off") << "\n";
 }

@@ -41,27 +41,26 @@
  * C.C.L. Wang, "Incremental Reconstruction of Sharp Edges on Mesh Surfaces", Computer-Aided Design
  * 38 (2006).
  *
- * @sa vtkUSSODFilter vtkSharpThinningFilter vtkSharpeningFilter vtkSharpEdgeExtractor
+ * @sa vtkSharpRegionAlgorithm vtkUSSODFilter vtkSharpThinningFilter vtkSharpeningFilter
+ * vtkSharpEdgeExtractor
  */
 
 #ifndef vtkSharpEdgeReconstruction_h
 #define vtkSharpEdgeReconstruction_h
 
 #include "ArrisFiltersModule.h" // for the export macro
-
-#include <vtkPolyDataAlgorithm.h>
+#include "vtkSharpRegionAlgorithm.h"
 
 namespace arris
 {
 class Monitor;
-struct Surface;
 }
 
-class ARRISFILTERS_EXPORT vtkSharpEdgeReconstruction : public vtkPolyDataAlgorithm
+class ARRISFILTERS_EXPORT vtkSharpEdgeReconstruction : public vtkSharpRegionAlgorithm
 {
 public:
   static vtkSharpEdgeReconstruction* New();
-  vtkTypeMacro(vtkSharpEdgeReconstruction, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSharpEdgeReconstruction, vtkSharpRegionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -80,45 +79,11 @@ public:
   void SetMethodToRobust() { this->SetMethod(ROBUST); }
   ///@}
 
-  ///@{
-  /// The window radius λ in the length unit of the points, the same everywhere. 0, the default,
-  /// leaves it to WindowRatio. Range: 0 and up.
-  vtkSetMacro(Window, double);
-  vtkGetMacro(Window, double);
-  ///@}
-
-  ///@{
-  /// The window radius λ as a multiple of the average edge length, used while Window is 0. 0, the
-  /// default, leaves it to the method: PAPER takes 0.75, ROBUST 0.75 times the *local* edge length.
-  /// The paper uses 0.5 to 1.5 and starts from 1 for regular, 1.5 for irregular meshes. Range: 0
-  /// and up.
-  vtkSetMacro(WindowRatio, double);
-  vtkGetMacro(WindowRatio, double);
-  ///@}
-
-  ///@{
-  /// The angle from which on an edge is sharp, in degrees. For PAPER the normal deviation in the
-  /// window: θ with κλ = 1 - cos θ (section 4.2). For ROBUST the turn between the smooth faces on
-  /// both sides. 0, the default, leaves it to the method: PAPER takes 41.41, the paper's 0.25;
-  /// ROBUST 16, on rough meshes up to 22. Range: 0 to 180.
-  vtkSetMacro(SharpAngle, double);
-  vtkGetMacro(SharpAngle, double);
-  ///@}
-
-  ///@{
-  /// How the triangles of a window are found. CONNECTED (the default) walks the mesh outward from
-  /// the vertex and does not see a wall that is near in space but not connected within the window;
-  /// SPATIAL takes all triangles in reach, as the paper does, by vtkStaticCellLocator.
-  enum WindowSearchType
-  {
-    CONNECTED = 0,
-    SPATIAL = 1
-  };
-  vtkSetMacro(WindowSearch, int);
-  vtkGetMacro(WindowSearch, int);
-  void SetWindowSearchToConnected() { this->SetWindowSearch(CONNECTED); }
-  void SetWindowSearchToSpatial() { this->SetWindowSearch(SPATIAL); }
-  ///@}
+  // Window, WindowRatio and SharpAngle are those of vtkSharpRegionAlgorithm, but 0 leaves them to
+  // the method. It is the default of all three. The window: PAPER takes 0.75 average edge lengths,
+  // ROBUST 0.75 times the *local* edge length; a set one is the same everywhere. The angle: for
+  // PAPER the normal deviation in the window, 41.41 if 0; for ROBUST the turn between the smooth
+  // faces on both sides, if 0 it is 16, on rough meshes up to 22. Picked points set both.
 
   ///@{
   /// Whether on a rough mesh the smooth faces are moved onto its smoothed copy as well (ROBUST).
@@ -134,16 +99,12 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int Method;
-  double Window;
-  double WindowRatio;
-  double SharpAngle;
-  int WindowSearch;
-  bool Denoise;
+  int Method = ROBUST;
+  bool Denoise = false;
 
 private:
-  bool RecoverRobustly(
-    const arris::Surface& surface, const arris::Monitor& monitor, vtkPolyData* output);
+  bool RecoverRobustly(const arris::Surface& surface, const arris::ClassificationParameters& chosen,
+    const arris::Monitor& monitor, vtkPolyData* output);
 
   vtkSharpEdgeReconstruction(const vtkSharpEdgeReconstruction&) = delete;
   void operator=(const vtkSharpEdgeReconstruction&) = delete;

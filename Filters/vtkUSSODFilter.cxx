@@ -3,12 +3,9 @@
 
 #include "vtkUSSODFilter.h"
 
-#include "Core/Geometry.h"
-#include "Core/Ussod.h"
-#include "Support/Arrays.h"
+#include "Support/Classification.h"
 #include "Support/FilterMonitor.h"
 #include "Support/Parameters.h"
-#include "Core/StopWatch.h"
 #include "Support/Surface.h"
 
 #include <vtkInformation.h>
@@ -19,15 +16,6 @@
 vtkStandardNewMacro(vtkUSSODFilter);
 
 //------------------------------------------------------------------------------
-vtkUSSODFilter::vtkUSSODFilter()
-  : Window(0.0)
-  , WindowRatio(arris::DefaultWindowRatio)
-  , SharpAngle(arris::DefaultSharpAngle)
-  , WindowSearch(CONNECTED)
-{
-}
-
-//------------------------------------------------------------------------------
 int vtkUSSODFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -35,45 +23,19 @@ int vtkUSSODFilter::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
 
   arris::Surface surface;
-  const std::string problem = arris::FirstProblem(
-    { arris::ProblemWithWindow(this->Window, this->WindowRatio, this->WindowSearch),
-      arris::ProblemWithAngle("SharpAngle", this->SharpAngle) },
-    [&] { return arris::ReadSurface(input, output, surface); });
+  arris::ClassificationParameters parameters;
+  std::string problem = arris::FirstProblem(
+    { this->ProblemWithParameters() }, [&] { return arris::ReadSurface(input, output, surface); });
+  problem = problem.empty() ? this->ChooseParameters(inputVector, surface, parameters) : problem;
   if (!problem.empty())
   {
+    output->Initialize();
     vtkErrorMacro(<< problem);
     return 1;
   }
-
-  const arris::StopWatch watch;
-  const double lambda =
-    arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
-  const std::vector<double> differences = arris::NormalDifferences(surface.Triangulation,
-    surface.Adjacency, arris::UnitNormals(surface.Triangulation, surface.AverageEdgeLength), lambda,
-    static_cast<arris::WindowSearch>(this->WindowSearch), arris::MonitorOf(this));
-  if (differences.size() != surface.Triangulation.Points.size())
+  if (!this->Classifier->Update(input, surface, parameters, arris::MonitorOf(this), output))
   {
     output->Initialize(); // aborted
-    return 1;
   }
-
-  this->Kappa = lambda > 0.0 ? arris::DifferenceOfAngle(this->SharpAngle) / lambda : 0.0;
-  arris::AddClassification(output, differences, std::vector<double>(differences.size(), lambda),
-    arris::SharpRegion(differences, this->SharpAngle));
-  arris::AddFieldValue(output, arris::array::Lambda, lambda);
-  arris::AddFieldValue(output, arris::array::SharpAngle, this->SharpAngle);
-  arris::AddFieldValue(output, arris::array::AverageEdgeLength, surface.AverageEdgeLength);
-  arris::AddFieldValue(output, arris::array::ClassificationSeconds, watch.Seconds());
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkUSSODFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Window: " << this->Window << "\n";
-  os << indent << "WindowRatio: " << this->WindowRatio << "\n";
-  os << indent << "SharpAngle: " << this->SharpAngle << "\n";
-  os << indent << "WindowSearch: " << this->WindowSearch << "\n";
-  os << indent << "Kappa: " << this->Kappa << "\n";
 }

@@ -19,6 +19,29 @@ constexpr const char* WindowRatioOption = "--window-ratio";
 constexpr const char* SharpAngleOption = "--sharp-angle";
 constexpr const char* WindowSearchOption = "--window-search";
 
+/// An option that may be given many times, a position each.
+CLI::Option* AddPositionOption(CLI::App& command, const std::string& name,
+  std::vector<Position>& positions, const std::string& description, const std::string& group)
+{
+  return command
+    .add_option_function<std::vector<std::string>>(
+      name,
+      [&positions](const std::vector<std::string>& texts)
+      {
+        for (const std::string& text : texts)
+        {
+          positions.push_back(*ParsePosition(text));
+        }
+      },
+      description)
+    ->check(PositionText())
+    ->type_size(1)
+    ->allow_extra_args(false)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+    ->type_name("X,Y,Z")
+    ->group(group);
+}
+
 void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const std::string& group,
   const std::string& ratioHelp, const std::string& angleHelp)
 {
@@ -28,11 +51,11 @@ void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const s
                           ->check(Positive())
                           ->type_name("LENGTH")
                           ->group(group);
-  command.add_option(WindowRatioOption, options.WindowRatio, ratioHelp)
-    ->check(Positive())
-    ->type_name("R")
-    ->excludes(window)
-    ->group(group);
+  CLI::Option* ratio = command.add_option(WindowRatioOption, options.WindowRatio, ratioHelp)
+                         ->check(Positive())
+                         ->type_name("R")
+                         ->excludes(window)
+                         ->group(group);
   command.add_option(SharpAngleOption, options.SharpAngle, angleHelp)
     ->check(Angle())
     ->type_name("DEGREES")
@@ -43,6 +66,13 @@ void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const s
     ->check(OneOf({ "connected", "spatial" }))
     ->type_name("connected|spatial")
     ->group(group);
+  AddPositionOption(command, "--sharp-at", options.SharpAt,
+    "A point that is expected to be sharp; the window and the\nangle follow. May be repeated",
+    group)
+    ->excludes(window)
+    ->excludes(ratio);
+  AddPositionOption(command, "--smooth-at", options.SmoothAt,
+    "A point that is expected to be smooth. May be repeated", group);
 }
 }
 

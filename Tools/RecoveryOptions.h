@@ -7,8 +7,10 @@
 #ifndef arris_RecoveryOptions_h
 #define arris_RecoveryOptions_h
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -17,6 +19,9 @@ class App;
 
 namespace arris
 {
+/// A position given as x,y,z.
+using Position = std::array<double, 3>;
+
 /// What is not given is left to the filters.
 struct ClassificationOptions
 {
@@ -24,6 +29,8 @@ struct ClassificationOptions
   std::optional<double> WindowRatio;
   std::optional<double> SharpAngle;
   std::string WindowSearch = "connected"; ///< or "spatial"
+  std::vector<Position> SharpAt; ///< picked points
+  std::vector<Position> SmoothAt;
 };
 
 struct RecoveryOptions : ClassificationOptions
@@ -32,7 +39,7 @@ struct RecoveryOptions : ClassificationOptions
   bool Denoise = false;
 };
 
-/// --window, --window-ratio, --sharp-angle, --window-search.
+/// --window, --window-ratio, --sharp-angle, --window-search, --sharp-at, --smooth-at.
 void AddClassificationOptions(CLI::App& command, ClassificationOptions& options);
 
 /// These, --method and --denoise.

@@ -16,6 +16,7 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -27,8 +28,29 @@ namespace
 {
 using Json = Session::Json;
 
-template <typename Filter>
-void SetClassification(Filter* filter, const ClassificationOptions& options)
+bool HasPicks(const ClassificationOptions& options)
+{
+  return !(options.SharpAt.empty() && options.SmoothAt.empty());
+}
+
+/// What to do if the filter does not take the mesh or the picked points.
+std::string Advice(const ClassificationOptions& options)
+{
+  return HasPicks(options) ? "pick other points or repair the mesh" : RepairAdvice;
+}
+
+vtkSmartPointer<vtkPoints> Points(const std::vector<Position>& positions)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  for (const Position& position : positions)
+  {
+    points->InsertNextPoint(position.data());
+  }
+  return points;
+}
+
+void SetClassification(vtkSharpRegionAlgorithm* filter, const ClassificationOptions& options)
 {
   if (options.Window)
   {
@@ -42,7 +64,16 @@ void SetClassification(Filter* filter, const ClassificationOptions& options)
   {
     filter->SetSharpAngle(*options.SharpAngle);
   }
-  filter->SetWindowSearch(options.WindowSearch == "spatial" ? Filter::SPATIAL : Filter::CONNECTED);
+  filter->SetWindowSearch(options.WindowSearch == "spatial" ? vtkSharpRegionAlgorithm::SPATIAL
+                                                            : vtkSharpRegionAlgorithm::CONNECTED);
+  if (!options.SharpAt.empty())
+  {
+    filter->SetPickedPointsSharp(Points(options.SharpAt));
+  }
+  if (!options.SmoothAt.empty())
+  {
+    filter->SetPickedPointsSmooth(Points(options.SmoothAt));
+  }
 }
 
 /// The number of that name in the field data, or 0.
@@ -91,7 +122,9 @@ void ReportWindow(Session& session, vtkPolyData* mesh, const ClassificationOptio
   parameters["window_ratio"] = edge > 0.0 ? lambda / edge : 0.0;
   parameters["sharp_angle"] = angle;
   parameters["window_search"] = options.WindowSearch;
-  session.Say("window radius " + Number(lambda) + ", sharp angle " + Number(angle) + " degrees");
+  parameters["picked"] = HasPicks(options);
+  session.Say(std::string(HasPicks(options) ? "by the picked points: " : "") + "window radius " +
+    Number(lambda) + ", sharp angle " + Number(angle) + " degrees");
 }
 
 /// What the robust method chose, and what became of the vertices of the sharp region.
@@ -111,6 +144,7 @@ void ReportAccount(Session& session, vtkPolyData* mesh, const RecoveryOptions& o
   parameters["window_range"] = { range[0], range[1] };
   parameters["sharp_angle"] = angle;
   parameters["denoise"] = options.Denoise;
+  parameters["picked"] = HasPicks(options);
   session.Report["recognised"] = { { "roughness", FieldNumber(mesh, array::Roughness) },
     { "rounding", FieldNumber(mesh, array::Rounding) } };
   Json& outcomes = session.Report["outcomes"];
@@ -121,8 +155,8 @@ void ReportAccount(Session& session, vtkPolyData* mesh, const RecoveryOptions& o
   {
     outcomes[name] = CountValue(mesh, array::Outcome, static_cast<double>(outcome));
   }
-  session.Say("windows of " + Number(range[0]) + " to " + Number(range[1]) + ", edges from " +
-    Number(angle) + " degrees");
+  session.Say(std::string(HasPicks(options) ? "by the picked points: " : "") + "windows of " +
+    Number(range[0]) + " to " + Number(range[1]) + ", edges from " + Number(angle) + " degrees");
 }
 
 /// The sharp region of any method.
@@ -172,8 +206,8 @@ void ReportDisplacement(Session& session, vtkPolyData* mesh)
 }
 }
 
-void RunStage(
-  Session& session, vtkAlgorithm* filter, const std::string& stage, const std::string& name)
+void RunStage(Session& session, vtkAlgorithm* filter, const std::string& stage,
+  const std::string& name, const std::string& advice)
 {
   const ErrorCapture capture;
   session.Progress.Follow(stage, filter);
@@ -182,7 +216,7 @@ void RunStage(
   const std::string cause = capture.FirstError();
   if (!cause.empty())
   {
-    throw Failure(name, cause, "repair the mesh first");
+    throw Failure(name, cause, advice);
   }
   const std::string warning = capture.FirstWarning();
   if (!warning.empty())
@@ -204,8 +238,8 @@ vtkSmartPointer<vtkPolyData> Classify(Session& session, vtkPolyData* mesh, const
 {
   vtkNew<vtkUSSODFilter> filter;
   filter->SetInputData(mesh);
-  SetClassification(filter.Get(), options);
-  RunStage(session, filter, "classifying", name);
+  SetClassification(filter, options);
+  RunStage(session, filter, "classifying", name, Advice(options));
   vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   TakeSeconds(session, result);
   ReportMesh(session, result, name);
@@ -221,10 +255,10 @@ vtkSmartPointer<vtkPolyData> Recover(
   filter->SetInputData(mesh);
   filter->SetMethod(options.Method == "paper" ? vtkSharpEdgeReconstruction::PAPER
                                               : vtkSharpEdgeReconstruction::ROBUST);
-  SetClassification(filter.Get(), options);
+  SetClassification(filter, options);
   filter->SetDenoise(options.Denoise);
   session.Report["parameters"]["method"] = options.Method;
-  RunStage(session, filter, "recovering", name);
+  RunStage(session, filter, "recovering", name, Advice(options));
   vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   TakeSeconds(session, result);
   ReportMesh(session, result, name);

@@ -21,9 +21,12 @@ namespace arris
 {
 class Session;
 
-/// Updates a filter; its error, if it has one, as a Failure. `name` is what messages call the mesh.
-void RunStage(
-  Session& session, vtkAlgorithm* filter, const std::string& stage, const std::string& name);
+constexpr const char* RepairAdvice = "repair the mesh first";
+
+/// Updates a filter; its error, if it has one, as a Failure. `name` is what messages call the mesh,
+/// `advice` what to do.
+void RunStage(Session& session, vtkAlgorithm* filter, const std::string& stage,
+  const std::string& name, const std::string& advice = RepairAdvice);
 
 /// Says how large the mesh is.
 void ReportMesh(Session& session, vtkPolyData* mesh, const std::string& name);

@@ -48,6 +48,35 @@ CLI::Validator Finite()
   return NumberThat("a finite number", [](double) { return true; });
 }
 
+std::optional<std::array<double, 3>> ParsePosition(const std::string& text)
+{
+  const std::vector<std::string> parts = CLI::detail::split(text, ',');
+  std::array<double, 3> position;
+  if (parts.size() != position.size())
+  {
+    return {};
+  }
+  for (std::size_t i = 0; i < position.size(); ++i)
+  {
+    if (!CLI::detail::lexical_cast(parts[i], position[i]) || !std::isfinite(position[i]))
+    {
+      return {};
+    }
+  }
+  return position;
+}
+
+CLI::Validator PositionText()
+{
+  return CLI::Validator(
+    [](const std::string& text)
+    {
+      return ParsePosition(text) ? std::string()
+                                 : "must be three numbers, as in 1,2.5,-3, not " + text;
+    },
+    "");
+}
+
 CLI::Validator OneOf(const std::vector<std::string>& words)
 {
   std::string list;

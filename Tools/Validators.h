@@ -9,6 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,12 @@ CLI::Validator Angle();
 
 /// Accepts 1, 2 ... up to `largest`.
 CLI::Validator WholeNumber(double largest);
+
+/// Three finite numbers with commas between them, or nothing if the text is something else.
+std::optional<std::array<double, 3>> ParsePosition(const std::string& text);
+
+/// Accepts what ParsePosition does.
+CLI::Validator PositionText();
 
 /// Accepts these words.
 CLI::Validator OneOf(const std::vector<std::string>& words);

@@ -3,7 +3,6 @@
 
 #include "PaperMethod.h"
 
-#include "Core/Geometry.h"
 #include "Core/Sharpening.h"
 #include "Core/Skeleton.h"
 #include "Core/Thinning.h"
@@ -21,31 +20,20 @@ constexpr double Classified = 0.6;
 constexpr double Thinned = 0.7;
 }
 
-bool RecoverByPaper(const Surface& surface, const PaperParameters& parameters,
+bool RecoverByPaper(vtkPolyData* input, const Surface& surface,
+  const ClassificationParameters& parameters, Classification& classification,
   const Monitor& monitor, vtkPolyData* output)
 {
   const Mesh& mesh = surface.Triangulation;
   const Connectivity& connectivity = surface.Adjacency;
-
-  const StopWatch classification;
-  const std::vector<double> differences =
-    NormalDifferences(mesh, connectivity, UnitNormals(mesh, surface.AverageEdgeLength),
-      parameters.WindowRadius, parameters.Search, monitor.Part(0.0, Classified));
-  if (differences.size() != mesh.Points.size())
+  if (!classification.Update(input, surface, parameters, monitor.Part(0.0, Classified), output))
   {
     return false;
   }
-  const Flags region = SharpRegion(differences, parameters.SharpAngle);
-  AddClassification(
-    output, differences, std::vector<double>(mesh.Points.size(), parameters.WindowRadius), region);
-  AddFieldValue(output, array::Lambda, parameters.WindowRadius);
-  AddFieldValue(output, array::SharpAngle, parameters.SharpAngle);
-  AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);
-  AddFieldValue(output, array::ClassificationSeconds, classification.Seconds());
 
   const StopWatch thinning;
-  const std::vector<int> rounds =
-    ThinningRounds(mesh, connectivity, region, differences, monitor.Part(Classified, Thinned));
+  const std::vector<int> rounds = ThinningRounds(mesh, connectivity, classification.Region(),
+    classification.Differences(), monitor.Part(Classified, Thinned));
   if (rounds.size() != mesh.Points.size())
   {
     return false;

@@ -7,24 +7,17 @@
 #ifndef arris_PaperMethod_h
 #define arris_PaperMethod_h
 
-#include "Core/Parallel.h"
-#include "Core/Ussod.h"
-#include "Support/Surface.h"
+#include "Support/Classification.h"
 
 class vtkPolyData;
 
 namespace arris
 {
-struct PaperParameters
-{
-  double WindowRadius; ///< λ, in units of length
-  double SharpAngle; ///< degrees
-  WindowSearch Search;
-};
-
-/// Recovers the sharp edges of `surface` in `output`, which ReadSurface filled, and adds the arrays
-/// of all stages. False if the monitor stopped it; the output is then unfinished.
-bool RecoverByPaper(const Surface& surface, const PaperParameters& parameters,
+/// Recovers the sharp edges of `surface` in `output`, which ReadSurface filled from `input`, and
+/// adds the arrays of all stages. `classification` may know the mesh from an earlier run. False if
+/// the monitor stopped it; the output is then unfinished.
+bool RecoverByPaper(vtkPolyData* input, const Surface& surface,
+  const ClassificationParameters& parameters, Classification& classification,
   const Monitor& monitor, vtkPolyData* output);
 }
 

@@ -63,6 +63,36 @@ class Commands(ProgramTest):
         self.assertEqual(numpy.count_nonzero(sharp), count)
         self.assertTrue(0 < count < mesh.GetNumberOfPoints())
 
+    def pick(self):
+        """A vertex of the box where it is sharpest and one where it is smoothest, as x,y,z."""
+        self.assert_done("classify", "box.vtp", "-o", "classified.vtp")
+        mesh = self.read("classified.vtp")
+        deviation = vtk_to_numpy(mesh.GetPointData().GetArray("NormalDeviation"))
+        return (
+            ",".join(repr(float(c)) for c in mesh.GetPoint(int(i)))
+            for i in (deviation.argmax(), deviation.argmin())
+        )
+
+    def test_picked_points(self):
+        sharp, smooth = self.pick()
+        for command in (("classify",), ("sharpen", "--method", "paper")):
+            with self.subTest(command[0]):
+                picks = ("--sharp-at", sharp, "--sharp-at", sharp, "--smooth-at", smooth)
+                args = (*command, "box.vtp", "-o", "out.vtp", *picks, "--json", "out.json")
+                self.assertIn("by the picked points: window radius ", self.assert_done(*args))
+                used = self.read_json("out.json")["parameters"]
+                self.assertTrue(used["picked"])
+                self.assertAlmostEqual(used["window_ratio"], 0.5, places=9)
+                self.assertGreater(used["sharp_angle"], 60.0)
+                numbers = ("--window", repr(used["window"]), "--sharp-angle", used["sharp_angle"])
+                self.assert_done(*command, "box.vtp", "-o", "hand.vtp", *numbers)
+                self.assertEqual(self.files()["hand.vtp"], self.files()["out.vtp"])
+
+    def test_picked_points_that_contradict_each_other(self):
+        sharp, smooth = self.pick()
+        args = ("classify", "box.vtp", "-o", "out.vtp", "--sharp-at", smooth, "--smooth-at", sharp)
+        self.assert_fails("box.vtp: the picked points contradict each other: (", *args)
+
     def test_edges_and_corners(self):
         self.assert_done("sharpen", "box.vtp", "-o", "sharp.vtp")
         said = self.assert_done("edges", "sharp.vtp", "-o", "edges.vtp", "--corners", "c.vtp")

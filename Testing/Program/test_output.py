@@ -22,8 +22,8 @@ FILES = {"input", "output", "parameters", "counts"}
 MESH = {"vertices", "triangles"}
 RECOVERY = FILES | {"average_edge_length", "displacement"}
 RECOVERY_COUNTS = MESH | {"sharp_vertices", "skeleton_vertices", "moved_vertices"}
-PAPER = {"method", "window", "window_ratio", "sharp_angle", "window_search"}
-ROBUST = {"method", "window", "window_ratio", "window_range", "sharp_angle", "denoise"}
+PAPER = {"method", "window", "window_ratio", "sharp_angle", "window_search", "picked"}
+ROBUST = {"method", "window", "window_ratio", "window_range", "sharp_angle", "denoise", "picked"}
 CURVES = MESH | {"curves", "corners", "surfaces"}
 FEATURES = {
     "feature_angle",

@@ -13,6 +13,9 @@ from arris import (
     vtkSharpThinningFilter,
     vtkUSSODFilter,
 )
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkSelection, vtkSelectionNode
 
 PAPERS_ANGLE = 41.4096221092709  # acos(0.75) in degrees
 
@@ -28,7 +31,8 @@ class Ports(unittest.TestCase):
         }
         for kind, count in outputs.items():
             with self.subTest(kind.__name__):
-                self.assertEqual(kind().GetNumberOfInputPorts(), 1)
+                picks = 2 if hasattr(kind, "SetPickedPointsSharp") else 0
+                self.assertEqual(kind().GetNumberOfInputPorts(), 1 + picks)
                 self.assertEqual(kind().GetNumberOfOutputPorts(), count)
 
     def test_names(self):
@@ -108,6 +112,54 @@ class Properties(unittest.TestCase):
         classify.Update()
         self.assertAlmostEqual(classify.GetKappa(), 0.25 / 0.5, places=12)
         self.assertFalse(hasattr(classify, "SetKappa"))
+
+
+class Picks(unittest.TestCase):
+    def setUp(self):
+        self.mesh = meshes.box(20)
+        self.classify = vtkUSSODFilter()
+        self.classify.SetInputData(self.mesh)
+        self.classify.Update()
+        deviation = self.array("NormalDeviation")
+        self.sharp, self.smooth = int(deviation.argmax()), int(deviation.argmin())
+
+    def array(self, name):
+        return vtk_to_numpy(self.classify.GetOutput().GetPointData().GetArray(name))
+
+    def positions(self, *ids):
+        points = vtkPoints()
+        for i in ids:
+            points.InsertNextPoint(self.mesh.GetPoint(i))
+        return points
+
+    def test_positions(self):
+        self.classify.SetPickedPointsSharp(self.positions(self.sharp))
+        self.classify.SetPickedPointsSmooth(self.positions(self.smooth))
+        self.classify.Update()
+        region = self.array("SharpRegion")
+        self.assertEqual((region[self.sharp], region[self.smooth]), (1, 0))
+        least = self.array("NormalDeviation")[self.sharp]
+        self.assertAlmostEqual(self.classify.GetUsedSharpAngle(), least, places=6)
+        self.assertEqual(self.classify.GetUsedWindowRatio(), 0.5)
+
+    def test_a_selection(self):
+        ids = vtkIdTypeArray()
+        ids.InsertNextValue(self.sharp)
+        node = vtkSelectionNode()
+        node.SetContentType(node.INDICES)
+        node.SetFieldType(node.POINT)
+        node.SetSelectionList(ids)
+        selection = vtkSelection()
+        selection.AddNode(node)
+        self.classify.SetPickedPointsSharp(self.positions(self.sharp))
+        self.classify.Update()
+        angle = self.classify.GetUsedSharpAngle()
+        self.classify.SetPickedPointsSharp(None)
+        self.classify.Update()
+        self.assertEqual(self.classify.GetUsedSharpAngle(), self.classify.GetSharpAngle())
+        self.classify.SetPickedPointsSharpData(selection)
+        self.classify.Update()
+        self.assertEqual(self.classify.GetUsedSharpAngle(), angle)
 
 
 class Chain(unittest.TestCase):

@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FilterTesting.h"
+
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkPlaneSource.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+
+using namespace arris::testing;
+
+// Points picked on the contour of a box, as positions and as selections of every kind.
+
+namespace
+{
+template <typename Array = vtkIdTypeArray>
+vtkSmartPointer<Array> List(const std::vector<double>& values, int components = 1)
+{
+  auto list = vtkSmartPointer<Array>::New();
+  list->SetNumberOfComponents(components);
+  list->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    list->SetComponent(
+      static_cast<vtkIdType>(i) / components, static_cast<int>(i) % components, values[i]);
+  }
+  return list;
+}
+
+vtkSmartPointer<vtkSelection> Selected(int content, int field, vtkAbstractArray* list)
+{
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(content);
+  node->SetFieldType(field);
+  node->SetSelectionList(list);
+  auto selection = vtkSmartPointer<vtkSelection>::New();
+  selection->AddNode(node);
+  return selection;
+}
+
+class PickedPoints : public ::testing::Test
+{
+protected:
+  PickedPoints()
+  {
+    this->Mesh = Contour(BoxSolid(), 20);
+    const auto classified = Execute(vtkSmartPointer<vtkUSSODFilter>::New(), this->Mesh);
+    vtkDataArray* deviation = classified->GetPointData()->GetArray("NormalDeviation");
+    vtkIdType smooth = 0;
+    for (vtkIdType v = 0; v < deviation->GetNumberOfTuples(); ++v)
+    {
+      this->Sharp =
+        deviation->GetComponent(v, 0) > deviation->GetComponent(this->Sharp, 0) ? v : this->Sharp;
+      smooth = deviation->GetComponent(v, 0) < deviation->GetComponent(smooth, 0) ? v : smooth;
+    }
+    this->Smooth = smooth;
+    AddArray<vtkIdTypeArray>(this->Mesh->GetPointData(), this->Mesh->GetNumberOfPoints(), "Label",
+      [](vtkIdType v) { return 1000 + v; });
+    this->Mesh->GetPointData()->SetGlobalIds(this->Mesh->GetPointData()->GetArray("Label"));
+    this->Position.resize(3);
+    this->Mesh->GetPoint(this->Sharp, this->Position.data());
+  }
+
+  /// By the position alone, which all kinds of selections must agree with.
+  void ExpectLikeThePosition(vtkSelection* selection)
+  {
+    vtkNew<vtkUSSODFilter> byPosition;
+    byPosition->SetPickedPointsSharp(this->At({ this->Sharp }));
+    const auto expected = Execute(byPosition, this->Mesh);
+    vtkNew<vtkUSSODFilter> bySelection;
+    bySelection->SetPickedPointsSharpData(selection);
+    const auto found = Execute(bySelection, this->Mesh);
+    EXPECT_NE(byPosition->GetUsedSharpAngle(), byPosition->GetSharpAngle());
+    EXPECT_EQ(bySelection->GetUsedSharpAngle(), byPosition->GetUsedSharpAngle());
+    EXPECT_EQ(bySelection->GetUsedWindow(), byPosition->GetUsedWindow());
+    ExpectIdentical(found, expected);
+  }
+
+  vtkSmartPointer<vtkPoints> At(const std::vector<vtkIdType>& ids) const
+  {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetDataTypeToDouble();
+    for (const vtkIdType id : ids)
+    {
+      points->InsertNextPoint(this->Mesh->GetPoint(id));
+    }
+    return points;
+  }
+
+  void ExpectError(vtkSharpRegionAlgorithm* filter, const std::string& about) const
+  {
+    vtkNew<ErrorCounter> errors;
+    errors->Watch(filter);
+    filter->SetInputData(this->Mesh);
+    filter->Modified();
+    filter->Update();
+    EXPECT_EQ(errors->Count, 1) << about;
+    EXPECT_NE(errors->Text.find(about), std::string::npos) << errors->Text;
+    ExpectEmptyOutputs(filter);
+  }
+
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkIdType Sharp = 0;
+  vtkIdType Smooth = 0;
+  std::vector<double> Position;
+};
+}
+
+TEST_F(PickedPoints, AreClassifiedAsPicked)
+{
+  vtkNew<vtkUSSODFilter> filter;
+  filter->SetPickedPointsSharp(this->At({ this->Sharp }));
+  filter->SetPickedPointsSmooth(this->At({ this->Smooth }));
+  const auto result = Execute(filter, this->Mesh);
+  vtkDataArray* region = result->GetPointData()->GetArray("SharpRegion");
+  EXPECT_EQ(region->GetComponent(this->Sharp, 0), 1.0);
+  EXPECT_EQ(region->GetComponent(this->Smooth, 0), 0.0);
+
+  // What was chosen is told, and the same numbers given by hand do the same.
+  EXPECT_EQ(
+    result->GetFieldData()->GetArray("Lambda")->GetComponent(0, 0), filter->GetUsedWindow());
+  EXPECT_EQ(result->GetFieldData()->GetArray("SharpAngle")->GetComponent(0, 0),
+    filter->GetUsedSharpAngle());
+  EXPECT_NEAR(filter->GetUsedWindowRatio() *
+      result->GetFieldData()->GetArray("AverageEdgeLength")->GetComponent(0, 0),
+    filter->GetUsedWindow(), 1e-12);
+  vtkNew<vtkUSSODFilter> byHand;
+  byHand->SetWindow(filter->GetUsedWindow());
+  byHand->SetSharpAngle(filter->GetUsedSharpAngle());
+  ExpectIdentical(Execute(byHand, this->Mesh), result);
+}
+
+TEST_F(PickedPoints, SteerThePapersMethod)
+{
+  vtkNew<vtkSharpEdgeReconstruction> picked;
+  picked->SetMethodToPaper();
+  picked->SetPickedPointsSharp(this->At({ this->Sharp }));
+  const auto result = Execute(picked, this->Mesh);
+  vtkNew<vtkSharpEdgeReconstruction> byHand;
+  byHand->SetMethodToPaper();
+  byHand->SetWindow(picked->GetUsedWindow());
+  byHand->SetSharpAngle(picked->GetUsedSharpAngle());
+  ExpectIdentical(Execute(byHand, this->Mesh), result);
+}
+
+TEST_F(PickedPoints, ByIndex)
+{
+  const auto id = static_cast<double>(this->Sharp);
+  this->ExpectLikeThePosition(
+    Selected(vtkSelectionNode::INDICES, vtkSelectionNode::POINT, List({ id })));
+}
+
+TEST_F(PickedPoints, ByGlobalIdAndByValue)
+{
+  const auto list = List({ 1000.0 + static_cast<double>(this->Sharp) });
+  this->ExpectLikeThePosition(Selected(vtkSelectionNode::GLOBALIDS, vtkSelectionNode::POINT, list));
+  list->SetName("Label");
+  this->ExpectLikeThePosition(Selected(vtkSelectionNode::VALUES, vtkSelectionNode::POINT, list));
+}
+
+TEST_F(PickedPoints, ByThreshold)
+{
+  const double label = 1000.0 + static_cast<double>(this->Sharp);
+  const auto list = List<vtkDoubleArray>({ label - 0.5, label + 0.5 });
+  list->SetName("Label");
+  this->ExpectLikeThePosition(
+    Selected(vtkSelectionNode::THRESHOLDS, vtkSelectionNode::POINT, list));
+}
+
+TEST_F(PickedPoints, ByLocation)
+{
+  this->ExpectLikeThePosition(Selected(
+    vtkSelectionNode::LOCATIONS, vtkSelectionNode::POINT, List<vtkDoubleArray>(this->Position, 3)));
+}
+
+TEST_F(PickedPoints, ByFrustum)
+{
+  std::vector<double> corners; // x slowest, z fastest, as vtkSelection has it
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      corners.push_back(this->Position[axis] + ((corner >> (2 - axis)) % 2 == 0 ? -1e-3 : 1e-3));
+    }
+    corners.push_back(1.0);
+  }
+  this->ExpectLikeThePosition(
+    Selected(vtkSelectionNode::FRUSTUM, vtkSelectionNode::POINT, List<vtkDoubleArray>(corners, 4)));
+}
+
+TEST_F(PickedPoints, ByInversionAndExpression)
+{
+  std::vector<double> others;
+  for (vtkIdType v = 0; v < this->Mesh->GetNumberOfPoints(); ++v)
+  {
+    if (v != this->Sharp)
+    {
+      others.push_back(static_cast<double>(v));
+    }
+  }
+  auto selection = Selected(vtkSelectionNode::INDICES, vtkSelectionNode::POINT, List(others));
+  selection->GetNode(0)->GetProperties()->Set(vtkSelectionNode::INVERSE(), 1);
+  this->ExpectLikeThePosition(selection);
+
+  auto both = vtkSmartPointer<vtkSelection>::New();
+  const auto pair = List({ static_cast<double>(this->Sharp), static_cast<double>(this->Smooth) });
+  both->SetNode(
+    "pair", Selected(vtkSelectionNode::INDICES, vtkSelectionNode::POINT, pair)->GetNode(0));
+  both->SetNode("other", selection->GetNode(0));
+  both->SetExpression("pair & other");
+  this->ExpectLikeThePosition(both);
+}
+
+TEST_F(PickedPoints, ByCell)
+{
+  // Of a cell's points the sharpest counts, so a cell at the sharpest point of all is as sharp.
+  vtkNew<vtkIdList> cells;
+  this->Mesh->BuildLinks();
+  this->Mesh->GetPointCells(this->Sharp, cells);
+  const double id = static_cast<double>(cells->GetId(0));
+  vtkNew<vtkUSSODFilter> filter;
+  filter->SetPickedPointsSharpData(
+    Selected(vtkSelectionNode::INDICES, vtkSelectionNode::CELL, List({ id })));
+  const auto result = Execute(filter, this->Mesh);
+  vtkNew<vtkIdList> points;
+  this->Mesh->GetCellPoints(cells->GetId(0), points);
+  double sharp = 0.0;
+  for (const vtkIdType v : *points)
+  {
+    sharp = std::max(sharp, result->GetPointData()->GetArray("SharpRegion")->GetComponent(v, 0));
+  }
+  EXPECT_EQ(sharp, 1.0);
+  EXPECT_NE(filter->GetUsedSharpAngle(), filter->GetSharpAngle());
+}
+
+TEST_F(PickedPoints, NoneLeaveTheParametersAsTheyAre)
+{
+  vtkNew<vtkUSSODFilter> plain;
+  const auto expected = Execute(plain, this->Mesh);
+  vtkNew<vtkUSSODFilter> filter;
+  vtkNew<vtkPoints> none;
+  filter->SetPickedPointsSharp(none);
+  filter->SetPickedPointsSmoothData(vtkSmartPointer<vtkSelection>::New());
+  ExpectIdentical(Execute(filter, this->Mesh), expected);
+}
+
+TEST_F(PickedPoints, AChangeOfThePointsRunsTheFilterAgain)
+{
+  vtkNew<vtkUSSODFilter> filter;
+  const auto points = this->At({ this->Sharp });
+  filter->SetPickedPointsSharp(points);
+  Execute(filter, this->Mesh);
+  const double before = filter->GetUsedSharpAngle();
+  points->Reset();
+  points->Modified();
+  filter->Update();
+  EXPECT_NE(filter->GetUsedSharpAngle(), before);
+}
+
+TEST_F(PickedPoints, ThatContradictEachOtherAreNamed)
+{
+  vtkNew<vtkUSSODFilter> filter;
+  filter->SetPickedPointsSharpData(Selected(vtkSelectionNode::INDICES, vtkSelectionNode::POINT,
+    List({ static_cast<double>(this->Smooth) })));
+  filter->SetPickedPointsSmoothData(Selected(vtkSelectionNode::INDICES, vtkSelectionNode::POINT,
+    List({ static_cast<double>(this->Sharp) })));
+  const std::string sharp = "point " + std::to_string(this->Sharp) + ", picked as smooth";
+  const std::string smooth = "point " + std::to_string(this->Smooth) + ", picked as sharp";
+  this->ExpectError(filter, sharp);
+  this->ExpectError(filter, smooth);
+  vtkNew<vtkSharpEdgeReconstruction> whole;
+  whole->SetPickedPointsSharp(this->At({ this->Smooth }));
+  whole->SetPickedPointsSmooth(this->At({ this->Sharp }));
+  this->ExpectError(whole, "contradict");
+}
+
+TEST_F(PickedPoints, ThatCannotBeReadAreErrors)
+{
+  vtkNew<vtkUSSODFilter> filter;
+  filter->SetPickedPointsSharpData(
+    Selected(vtkSelectionNode::INDICES, vtkSelectionNode::POINT, List({ 1e6 })));
+  this->ExpectError(filter, "point 1000000");
+  filter->SetPickedPointsSharpData(
+    Selected(vtkSelectionNode::QUERY, vtkSelectionNode::POINT, List({ 1.0 })));
+  this->ExpectError(filter, "QUERY");
+  filter->SetPickedPointsSharpData(
+    Selected(vtkSelectionNode::INDICES, vtkSelectionNode::FIELD, List({ 1.0 })));
+  this->ExpectError(filter, "points or cells");
+  const auto list = List({ 1.0 });
+  list->SetName("NoSuchArray");
+  filter->SetPickedPointsSharpData(
+    Selected(vtkSelectionNode::VALUES, vtkSelectionNode::POINT, list));
+  this->ExpectError(filter, "array");
+}
+
+TEST_F(PickedPoints, FarFromTheMeshAreErrors)
+{
+  vtkNew<vtkPoints> far;
+  far->InsertNextPoint(7.0, 8.0, 9.0);
+  vtkNew<vtkUSSODFilter> filter;
+  filter->SetPickedPointsSharp(far);
+  this->ExpectError(filter, "(7, 8, 9)");
+}
+
+TEST_F(PickedPoints, WhereTheSurfaceIsFlatCannotBeSharp)
+{
+  // A sheet of nine points has no edge anywhere.
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(8, 8);
+  plane->Update();
+  this->Mesh = plane->GetOutput();
+  vtkNew<vtkUSSODFilter> filter;
+  filter->SetPickedPointsSharp(this->At({ 40 }));
+  this->ExpectError(filter, "flat");
+}
+
+namespace
+{
+double ClassificationSeconds(vtkPolyData* mesh)
+{
+  return mesh->GetFieldData()->GetArray("ClassificationSeconds")->GetComponent(0, 0);
+}
+
+/// The filter's second result must be that of a new filter with the same parameters.
+template <typename Filter>
+void ExpectKeptWhileOnlyTheAngleChanges(void (*prepare)(Filter*))
+{
+  const auto input = Contour(BracketSolid(), 24);
+  vtkNew<Filter> filter;
+  prepare(filter);
+  EXPECT_GT(ClassificationSeconds(Execute(filter, input)), 0.0);
+  filter->SetSharpAngle(30.0);
+  const auto second = Execute(filter, input);
+  EXPECT_EQ(ClassificationSeconds(second), 0.0);
+  vtkNew<Filter> fresh;
+  prepare(fresh);
+  fresh->SetSharpAngle(30.0);
+  ExpectIdentical(second, Execute(fresh, input));
+
+  filter->SetWindowRatio(1.0);
+  EXPECT_GT(ClassificationSeconds(Execute(filter, input)), 0.0) << "another window";
+  filter->SetWindowSearchToSpatial();
+  EXPECT_GT(ClassificationSeconds(Execute(filter, input)), 0.0) << "another search";
+  input->GetPoints()->SetPoint(0, 0.0, 0.0, 0.0);
+  input->Modified();
+  EXPECT_GT(ClassificationSeconds(Execute(filter, input)), 0.0) << "another mesh";
+  EXPECT_GT(ClassificationSeconds(Execute(filter, Copy(input))), 0.0) << "a copy of the mesh";
+}
+}
+
+TEST(Classification, IsKeptWhileOnlyTheAngleChanges)
+{
+  ExpectKeptWhileOnlyTheAngleChanges<vtkUSSODFilter>([](vtkUSSODFilter*) {});
+  ExpectKeptWhileOnlyTheAngleChanges<vtkSharpEdgeReconstruction>(
+    [](vtkSharpEdgeReconstruction* filter) { filter->SetMethodToPaper(); });
+}
