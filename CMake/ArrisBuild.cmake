@@ -2,9 +2,15 @@
 
 set(arris_cmake_directory "${CMAKE_INSTALL_LIBDIR}/cmake/arris")
 
+set(arris_module_files "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module")
+set(arris_requested_modules Arris::Filters)
+if (ARRIS_BUILD_PLUGIN)
+  list(APPEND arris_module_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/ServerManager/vtk.module")
+  list(APPEND arris_requested_modules Arris::ServerManager)
+endif ()
 vtk_module_scan(
-  MODULE_FILES        "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
-  REQUEST_MODULES     Arris::Filters
+  MODULE_FILES        ${arris_module_files}
+  REQUEST_MODULES     ${arris_requested_modules}
   PROVIDES_MODULES    arris_modules
   REQUIRES_MODULES    arris_required_modules
   HIDE_MODULES_FROM_CACHE ON
@@ -35,7 +41,7 @@ arris_build_module()
 if (ARRIS_BUILD_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   vtk_module_wrap_python(
-    MODULES             ${arris_modules}
+    MODULES             Arris::Filters
     TARGET              Arris::Python
     PYTHON_PACKAGE      arris
     MODULE_DESTINATION  "${ARRIS_PYTHON_DIRECTORY}"

@@ -1,7 +1,8 @@
 # VTK (a distribution's, or the one inside ParaView for the plugin) and Eigen.
 
 # What the filters' library itself needs; also asked for by the installed package.
-set(arris_vtk_components CommonCore CommonDataModel CommonExecutionModel FiltersCore)
+set(arris_vtk_components CommonCore CommonDataModel CommonExecutionModel FiltersCore
+  FiltersSources)
 
 # Always with components: without them VTK asks for everything it was built with (Qt, GDAL ...).
 set(vtk_components ${arris_vtk_components})
@@ -20,7 +21,7 @@ endif ()
 if (ARRIS_BUILD_PLUGIN)
   enable_language(C) # ParaView's VTK links to MPI's C library, which CMake finds in C only
   find_package(ParaView 5.11 REQUIRED
-    COMPONENTS RemotingCore RemotingServerManager ProcessXML WrapClientServer VTKExtensionsCore)
+    COMPONENTS RemotingCore RemotingServerManager RemotingViews ProcessXML WrapClientServer VTKExtensionsCore)
   find_package(VTK REQUIRED PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH
     COMPONENTS ${vtk_components})
 else ()

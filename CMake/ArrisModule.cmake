@@ -4,6 +4,7 @@ find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 
 set(classes
   Filters/vtkSharpEdgeExtractor
+  Filters/vtkSharpEdgePreview
   Filters/vtkSharpEdgeReconstruction
   Filters/vtkSharpRegionAlgorithm
   Filters/vtkSharpThinningFilter
@@ -21,6 +22,7 @@ set(sources
   Filters/Core/NormalSpread.cxx
   Filters/Core/Picks.cxx
   Filters/Core/Predictor.cxx
+  Filters/Core/RegionOutline.cxx
   Filters/Core/Sharpening.cxx
   Filters/Core/Skeleton.cxx
   Filters/Core/SpatialWindow.cxx
@@ -77,6 +79,7 @@ set(sources
   Filters/Support/PickedPoints.cxx
   Filters/Support/PointMerging.cxx
   Filters/Support/Polylines.cxx
+  Filters/Support/PreviewMarks.cxx
   Filters/Support/RobustMethod.cxx
   Filters/Support/Selections.cxx
   Filters/Support/Surface.cxx)

@@ -73,6 +73,11 @@ void vtkSharpRegionAlgorithm::SetPickedPointsSharpData(vtkSelection* selection)
   this->SetInputData(SharpPort, selection);
 }
 
+void vtkSharpRegionAlgorithm::RemovePickedPointsSharpInput()
+{
+  this->SetInputConnection(SharpPort, nullptr);
+}
+
 void vtkSharpRegionAlgorithm::SetPickedPointsSmoothConnection(vtkAlgorithmOutput* selection)
 {
   this->SetInputConnection(SmoothPort, selection);
@@ -81,6 +86,11 @@ void vtkSharpRegionAlgorithm::SetPickedPointsSmoothConnection(vtkAlgorithmOutput
 void vtkSharpRegionAlgorithm::SetPickedPointsSmoothData(vtkSelection* selection)
 {
   this->SetInputData(SmoothPort, selection);
+}
+
+void vtkSharpRegionAlgorithm::RemovePickedPointsSmoothInput()
+{
+  this->SetInputConnection(SmoothPort, nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -116,8 +116,10 @@ public:
   /// The same as selections (input ports 1 and 2), which may come besides positions.
   void SetPickedPointsSharpConnection(vtkAlgorithmOutput* selection);
   void SetPickedPointsSharpData(vtkSelection* selection);
+  void RemovePickedPointsSharpInput();
   void SetPickedPointsSmoothConnection(vtkAlgorithmOutput* selection);
   void SetPickedPointsSmoothData(vtkSelection* selection);
+  void RemovePickedPointsSmoothInput();
   ///@}
 
   ///@{

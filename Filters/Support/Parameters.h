@@ -56,6 +56,14 @@ inline double WindowRadius(double window, double ratio, double averageEdgeLength
   return window > 0.0 ? window : ratio * averageEdgeLength;
 }
 
+/// What is wrong with a number that must be above 0, or nothing.
+inline std::string ProblemWithRatio(const char* name, double value)
+{
+  return std::isfinite(value) && value > 0.0
+    ? std::string()
+    : std::string(name) + " must be greater than 0; it is " + std::to_string(value);
+}
+
 /// What is wrong with the size of the window, or nothing.
 inline std::string ProblemWithWindow(double window, double ratio)
 {
@@ -63,11 +71,7 @@ inline std::string ProblemWithWindow(double window, double ratio)
   {
     return "Window must be a length, or 0 to use WindowRatio; it is " + std::to_string(window);
   }
-  if (window == 0.0 && !(std::isfinite(ratio) && ratio > 0.0))
-  {
-    return "WindowRatio must be greater than 0; it is " + std::to_string(ratio);
-  }
-  return {};
+  return window == 0.0 ? ProblemWithRatio("WindowRatio", ratio) : std::string();
 }
 
 /// What is wrong with the window and how it is searched, or nothing.

@@ -4,7 +4,7 @@
 """Checks the plugin's XML against the classes: everything documented, every command there, every
 parameter of a class among its properties, defaults and output ports those of the class.
 
-    check_xml.py ArrisFilters.xml
+    check_xml.py FILTER.xml...
 """
 
 import re
@@ -13,8 +13,9 @@ import xml.etree.ElementTree
 
 import arris
 
-FILTERS = {"vtkSharpEdgeExtractor", "vtkSharpEdgeReconstruction", "vtkSharpThinningFilter",
-           "vtkSharpeningFilter", "vtkUSSODFilter"}
+FILTERS = {"vtkSharpEdgeExtractor", "vtkSharpEdgePreview", "vtkSharpEdgeReconstruction",
+           "vtkSharpThinningFilter", "vtkSharpeningFilter", "vtkUSSODFilter"}
+NOT_FOR_XML = {"SetPickedPointsSharp", "SetPickedPointsSmooth"}  # they take points, not numbers
 wrong = []
 
 
@@ -26,7 +27,8 @@ def expect(holds, message):
 def check_property(proxy, prop, instance):
     name = f"{proxy.get('name')}.{prop.get('name')}"
     command = prop.get("command")
-    expect(hasattr(instance, command or ""), f"{name}: {proxy.get('class')} has no {command}")
+    for method in filter(None, (command or "none", prop.get("clean_command"))):
+        expect(hasattr(instance, method), f"{name}: {proxy.get('class')} has no {method}")
     text = prop.findtext("Documentation", "").strip()
     expect(len(text) > 20 and text.endswith("."), f"{name}: not documented")
     label = prop.get("label", prop.get("name"))
@@ -56,22 +58,28 @@ def check_proxy(proxy):
            and documentation.get("short_help") and documentation.get("long_help"),
            f"{name}: short help, long help or documentation is missing")
     menu = proxy.find("Hints/ShowInMenu")
-    expect(menu is not None and menu.get("category") == "Arris", f"{name}: not in the menu Arris")
+    expect(menu is not None and menu.get("category") == "Arris" and menu.get("icon"),
+           f"{name}: not in the menu Arris with an icon")
+    shown = [prop for prop in properties if prop.get("panel_visibility") is None
+             and prop.get("information_only") is None and prop.tag != "InputProperty"]
+    expect(len(shown) <= 7, f"{name}: {len(shown)} properties are in the panel by default")
 
     ports = [port.get("name") for port in proxy.findall("OutputPort")]
     expect(len(ports) == instance.GetNumberOfOutputPorts() and all(ports),
            f"{name}: names {len(ports)} of {instance.GetNumberOfOutputPorts()} output ports")
 
     commands = {prop.get("command") for prop in properties}
-    for method in vars(kind):
+    ours = [cls for cls in kind.__mro__ if cls.__module__.startswith("arris")]
+    for method in set().union(*map(vars, ours)) - NOT_FOR_XML:
         parameter = re.fullmatch("Set((?!.*To[A-Z]).*)", method)
         if parameter and hasattr(kind, "Get" + parameter[1]):
             expect(method in commands, f"{name}: {method} has no property")
 
 
 def main():
-    root = xml.etree.ElementTree.parse(sys.argv[1]).getroot()
-    proxies = root.findall("ProxyGroup[@name='filters']/SourceProxy")
+    roots = [xml.etree.ElementTree.parse(name).getroot() for name in sys.argv[1:]]
+    proxies = [proxy for root in roots
+               for proxy in root.findall("ProxyGroup[@name='filters']/SourceProxy")]
     classes = {proxy.get("class") for proxy in proxies}
     expect(classes == FILTERS, f"not the filters of Arris: {sorted(classes ^ FILTERS)}")
     for proxy in proxies:

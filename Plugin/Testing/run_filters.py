@@ -2,49 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """Loads the plugin, creates each filter, sets and reads each property, and runs the filters on the
-contour of a volume: they must give what the VTK classes give.
-
-    run_filters.py Arris.so bracket-small.mha
-"""
-
-import sys
+contour of a volume: they must give what the VTK classes give."""
 
 import arris
-from paraview import servermanager, simple
+import session
+from paraview import simple
+from session import fetch, read, same, used, values
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
-plugin, volume = sys.argv[1:]
-simple.LoadPlugin(plugin)
-
-
-def values(array):
-    return [array.GetTuple(i) for i in range(array.GetNumberOfTuples())]
-
-
-def same(paraview, plain, what):
-    """The points, cells and arrays of two meshes are the same, but for seconds."""
-    assert paraview.GetNumberOfPoints() == plain.GetNumberOfPoints() > 0, what
-    assert values(paraview.GetPoints().GetData()) == values(plain.GetPoints().GetData()), what
-    for cells in ("GetVerts", "GetLines", "GetPolys"):
-        ours, theirs = getattr(paraview, cells)(), getattr(plain, cells)()
-        assert ours.GetNumberOfCells() == theirs.GetNumberOfCells(), (what, cells)
-        assert values(ours.GetConnectivityArray()) == values(theirs.GetConnectivityArray()), what
-    for data in ("GetPointData", "GetCellData", "GetFieldData"):
-        ours, theirs = getattr(paraview, data)(), getattr(plain, data)()
-        for i in range(theirs.GetNumberOfArrays()):
-            name = theirs.GetArrayName(i)
-            assert ours.HasArray(name), (what, name)
-            if not name.endswith("Seconds"):
-                assert values(ours.GetArray(name)) == values(theirs.GetArray(i)), (what, name)
-
-
-def fetch(proxy, port=0):
-    return servermanager.Fetch(proxy, idx=port)
-
-
-def read(proxy, name):
-    value = proxy.GetProperty(name).GetData()
-    return value if isinstance(value, (int, float, str)) else list(value)
+session.load()
 
 
 def set_and_read(proxy, **properties):
@@ -55,29 +21,35 @@ def set_and_read(proxy, **properties):
         assert read(proxy, name) == value, (name, read(proxy, name), value)
         assert default != value, (name, "the test must set something else than the default")
         setattr(proxy, name, default)
-    known = set(proxy.ListProperties()) - {"Input", "Kappa"}
-    assert known == set(properties), known ^ set(properties)
+    others = {"Input", "SharpPoints", "SmoothPoints", *session.USED}
+    assert set(proxy.ListProperties()) - others == set(properties), proxy.ListProperties()
 
 
 # The contour that both are given. ParaView orders its points in a way of its own.
-reader = simple.MetaFileSeriesReader(FileNames=[volume])
-reader.UpdatePipeline()
-contour = simple.Contour(Input=reader, ContourBy=["POINTS", reader.PointData.keys()[0]],
-                         Isosurfaces=[0.0], ComputeNormals=0, ComputeScalars=0)
+contour = session.contour()
 plain_contour = vtkTrivialProducer()
 plain_contour.SetOutput(fetch(contour))
 triangles = fetch(contour).GetNumberOfPolys()
 assert triangles > 1000
+WINDOW = {"SharpAngle": 30.0, "Window": 2.5, "WindowRatio": 1.5, "WindowSearch": "Spatial"}
+
+
+def plain(make, proxy=None):
+    """The VTK class on the same contour, with the same window: ParaView's default follows the data."""
+    filter_ = make()
+    filter_.SetInputConnection(plain_contour.GetOutputPort())
+    if proxy is not None:
+        filter_.SetWindow(proxy.Window)
+    filter_.Update()
+    return filter_
+
 
 # The four steps.
 ussod = simple.USSOD(Input=contour)
-set_and_read(ussod, SharpAngle=30.0, Window=2.5, WindowRatio=1.5, WindowSearch="Spatial")
-plain_ussod = arris.vtkUSSODFilter()
-plain_ussod.SetInputConnection(plain_contour.GetOutputPort())
-plain_ussod.Update()
+set_and_read(ussod, **WINDOW)
+plain_ussod = plain(arris.vtkUSSODFilter, ussod)
 same(fetch(ussod), plain_ussod.GetOutput(), "USSOD")
-ussod.SMProxy.UpdatePropertyInformation()
-assert ussod.GetPropertyValue("Kappa") == plain_ussod.GetKappa() > 0.0
+assert used(ussod) == [getattr(plain_ussod, "Get" + name)() for name in session.USED]
 region = fetch(ussod).GetPointData().GetArray("SharpRegion")
 assert 0 < sum(v[0] for v in values(region)) < region.GetNumberOfTuples()
 
@@ -88,6 +60,7 @@ plain_thinning.SetInputConnection(plain_ussod.GetOutputPort())
 plain_thinning.Update()
 same(fetch(thinning), plain_thinning.GetOutput(), "Sharp Thinning")
 same(fetch(thinning, 1), plain_thinning.GetSkeleton(), "Sharp Thinning, Skeleton")
+assert thinning.SMProxy.GetOutputPort("Skeleton").GetPortIndex() == 1
 
 sharpening = simple.Sharpening(Input=thinning)
 set_and_read(sharpening, Window=2.5, WindowRatio=1.5)
@@ -116,16 +89,24 @@ for i in range(plain_table.GetNumberOfColumns()):
         theirs = plain_table.GetColumn(i).GetVariantValue(row)
         assert ours.GetVariantValue(row) == theirs, (plain_table.GetColumnName(i), row)
 
-# And all in one, with the values that an enumeration shows.
+# All in one, with the values that an enumeration shows.
 one_click = simple.SharpEdgeReconstruction(Input=contour)
-set_and_read(one_click, Method="Paper", SharpAngle=30.0, Window=2.5, WindowRatio=1.5,
-             WindowSearch="Spatial")
-plain_one_click = arris.vtkSharpEdgeReconstruction()
-plain_one_click.SetInputConnection(plain_contour.GetOutputPort())
+set_and_read(one_click, Method="Paper", **WINDOW)
+assert one_click.Window == 0.0  # automatic
 for method in ("Robust", "Paper"):
     one_click.Method = method
+    plain_one_click = arris.vtkSharpEdgeReconstruction()
     getattr(plain_one_click, "SetMethodTo" + method)()
+    plain_one_click.SetInputConnection(plain_contour.GetOutputPort())
     plain_one_click.Update()
     same(fetch(one_click), plain_one_click.GetOutput(), f"Sharp Edge Reconstruction, {method}")
     assert fetch(one_click).GetNumberOfPolys() == triangles
+
+# And the look before.
+preview = simple.SharpEdgePreview(Input=contour)
+set_and_read(preview, TubeRadius=0.3, **WINDOW)
+plain_preview = plain(arris.vtkSharpEdgePreview, preview)
+same(fetch(preview), plain_preview.GetOutput(), "Sharp Edge Preview")
+same(fetch(preview, 1), plain_preview.GetMarks(), "Sharp Edge Preview, Marks")
+assert preview.SMProxy.GetOutputPort("Marks").GetPortIndex() == 1
 print(f"{triangles} triangles: ParaView and VTK agree")

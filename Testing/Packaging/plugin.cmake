@@ -19,6 +19,7 @@ include(ProcessorCount)
 ProcessorCount(processors)
 run("${CMAKE_COMMAND}" --build "${BINARY}" --parallel "${processors}")
 execute_process(COMMAND "${CMAKE_CTEST_COMMAND}" --test-dir "${BINARY}" --output-on-failure
+  --parallel "${processors}"
   --no-tests=error RESULT_VARIABLE status)
 if (NOT status EQUAL 0)
   message(FATAL_ERROR "The plugin's tests failed")
