@@ -21,6 +21,9 @@ display_packages=(xvfb xauth libgl1-mesa-dri)
 # What the tests need on top.
 test_packages=(libgtest-dev python3-numpy)
 
+# What the plugin's icon and help pages need.
+plugin_packages=(qtbase5-dev qttools5-dev qttools5-dev-tools qtxmlpatterns5-dev-tools)
+
 say() # message...: one line that stands out, with the seconds since the start
 {
   printf '\n== %s (%d s)\n' "$*" "$SECONDS"
