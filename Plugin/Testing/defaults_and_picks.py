@@ -75,6 +75,8 @@ def check_picks_of_the_whole():
     ussod.SharpPoints = select(sharp)
     assert used_after_update(paper) == used_after_update(ussod)
     assert points_of(fetch(paper), "SharpRegion") == points_of(fetch(ussod), "SharpRegion")
+    robust = simple.SharpEdgeReconstruction(Input=contour, SharpPoints=select(sharp))
+    assert used_after_update(robust) == used(ussod)
 
 
 def check_errors(log):

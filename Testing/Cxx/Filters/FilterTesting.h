@@ -10,6 +10,7 @@
 #include "Solids.h"
 
 #include "vtkSharpEdgeExtractor.h"
+#include "vtkSharpEdgePreview.h"
 #include "vtkSharpEdgeReconstruction.h"
 #include "vtkSharpThinningFilter.h"
 #include "vtkSharpeningFilter.h"
@@ -77,13 +78,14 @@ inline auto AllFilters()
 {
   return ::testing::Values(Kind<vtkUSSODFilter>("USSOD"), Kind<vtkSharpThinningFilter>("Thinning"),
     Kind<vtkSharpeningFilter>("Sharpening"), Kind<vtkSharpEdgeExtractor>("Extractor"),
-    Kind<vtkSharpEdgeReconstruction>("Reconstruction"));
+    Kind<vtkSharpEdgeReconstruction>("Reconstruction"), Kind<vtkSharpEdgePreview>("Preview"));
 }
 /// Those that hand on a mesh, whatever it is.
 inline auto FiltersOfMeshes()
 {
   return ::testing::Values(Kind<vtkUSSODFilter>("USSOD"), Kind<vtkSharpThinningFilter>("Thinning"),
-    Kind<vtkSharpeningFilter>("Sharpening"), Kind<vtkSharpEdgeReconstruction>("Reconstruction"));
+    Kind<vtkSharpeningFilter>("Sharpening"), Kind<vtkSharpEdgeReconstruction>("Reconstruction"),
+    Kind<vtkSharpEdgePreview>("Preview"));
 }
 inline std::string FilterName(const ::testing::TestParamInfo<FilterKind>& test)
 {

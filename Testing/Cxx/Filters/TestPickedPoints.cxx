@@ -132,17 +132,25 @@ TEST_F(PickedPoints, AreClassifiedAsPicked)
   ExpectIdentical(Execute(byHand, this->Mesh), result);
 }
 
-TEST_F(PickedPoints, SteerThePapersMethod)
+TEST_F(PickedPoints, SteerBothMethods)
 {
-  vtkNew<vtkSharpEdgeReconstruction> picked;
-  picked->SetMethodToPaper();
-  picked->SetPickedPointsSharp(this->At({ this->Sharp }));
-  const auto result = Execute(picked, this->Mesh);
-  vtkNew<vtkSharpEdgeReconstruction> byHand;
-  byHand->SetMethodToPaper();
-  byHand->SetWindow(picked->GetUsedWindow());
-  byHand->SetSharpAngle(picked->GetUsedSharpAngle());
-  ExpectIdentical(Execute(byHand, this->Mesh), result);
+  for (const int method : { vtkSharpEdgeReconstruction::PAPER, vtkSharpEdgeReconstruction::ROBUST })
+  {
+    vtkNew<vtkSharpEdgeReconstruction> picked;
+    picked->SetMethod(method);
+    const auto automatic = Execute(picked, this->Mesh);
+    const double angle = picked->GetUsedSharpAngle();
+    picked->SetPickedPointsSharp(this->At({ this->Sharp }));
+    const auto result = Execute(picked, this->Mesh);
+    EXPECT_NE(picked->GetUsedSharpAngle(), angle);
+    vtkNew<vtkSharpEdgeReconstruction> byHand;
+    byHand->SetMethod(method);
+    byHand->SetWindow(picked->GetUsedWindow());
+    byHand->SetSharpAngle(picked->GetUsedSharpAngle());
+    ExpectIdentical(Execute(byHand, this->Mesh), result);
+    picked->SetPickedPointsSharp(nullptr);
+    ExpectIdentical(Execute(picked, this->Mesh), automatic);
+  }
 }
 
 TEST_F(PickedPoints, ByIndex)
