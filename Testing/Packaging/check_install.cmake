@@ -14,8 +14,8 @@ function (expect_files folder)
 endfunction ()
 
 expect_files("include/arris"
-  ArrisFiltersModule.h vtkSharpEdgeExtractor.h vtkSharpEdgeReconstruction.h
-  vtkSharpThinningFilter.h vtkSharpeningFilter.h vtkUSSODFilter.h)
+  ArrisFiltersModule.h vtkSharpEdgeExtractor.h vtkSharpEdgePreview.h vtkSharpEdgeReconstruction.h
+  vtkSharpRegionAlgorithm.h vtkSharpThinningFilter.h vtkSharpeningFilter.h vtkUSSODFilter.h)
 expect_files("include" arris)
 if (PROGRAM)
   expect_files("bin" arris)

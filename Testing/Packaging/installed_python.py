@@ -21,8 +21,9 @@ for library in mapped:
     assert prefix in pathlib.Path(library).resolve().parents, library
 
 classes = {name for name in dir(arris) if name.startswith("vtk") and name != "vtkmodules"}
-expected = {"vtkSharpEdgeExtractor", "vtkSharpEdgeReconstruction", "vtkSharpThinningFilter",
-            "vtkSharpeningFilter", "vtkUSSODFilter"}
+expected = {"vtkSharpEdgeExtractor", "vtkSharpEdgePreview", "vtkSharpEdgeReconstruction",
+            "vtkSharpRegionAlgorithm", "vtkSharpThinningFilter", "vtkSharpeningFilter",
+            "vtkUSSODFilter"}
 assert classes == expected, classes ^ expected
 
 cube = vtkPlatonicSolidSource()
