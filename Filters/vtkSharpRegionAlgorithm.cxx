@@ -139,7 +139,7 @@ std::string vtkSharpRegionAlgorithm::ChooseParameters(vtkInformationVector** inp
   if (!surface.Triangulation.Triangles.empty())
   {
     vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-    const std::string problem = arris::FirstProblem(
+    std::string problem = arris::FirstProblem(
       { ReadPicks(inputVector[SharpPort], this->PickedPointsSharp, input, surface, sharp) },
       [&] {
         return ReadPicks(inputVector[SmoothPort], this->PickedPointsSmooth, input, surface, smooth);
@@ -150,7 +150,7 @@ std::string vtkSharpRegionAlgorithm::ChooseParameters(vtkInformationVector** inp
     }
   }
   this->PointsArePicked = !(sharp.Vertices.empty() && smooth.Vertices.empty());
-  const std::string problem = this->PointsArePicked
+  std::string problem = this->PointsArePicked
     ? arris::FollowPickedPoints(surface, sharp, smooth, parameters)
     : std::string();
   this->SetUsed(parameters.WindowRadius, surface.AverageEdgeLength, parameters.SharpAngle);

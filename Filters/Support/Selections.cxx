@@ -295,7 +295,7 @@ std::string EvaluateSelection(
     auto inside = vtkSmartPointer<vtkSignedCharArray>::New();
     inside->SetNumberOfValues(cells ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints());
     inside->FillValue(0);
-    const std::string problem = Mark({ node, mesh, cells, inside });
+    std::string problem = Mark({ node, mesh, cells, inside });
     if (!problem.empty())
     {
       return problem;
