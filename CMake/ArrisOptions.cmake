@@ -3,6 +3,7 @@
 option(ARRIS_BUILD_PYTHON "Wrap the filters for Python" ON)
 option(ARRIS_BUILD_TOOLS "Build the arris program" ON)
 option(ARRIS_BUILD_TESTING "Build the tests" ON)
+option(ARRIS_BUILD_BENCHMARKS "Build the programs that time the filters (needs Google Benchmark)" OFF)
 option(ARRIS_BUILD_PLUGIN "Build for ParaView's VTK, with the ParaView plugin" OFF)
 option(ARRIS_WARNINGS_AS_ERRORS "Stop at any compiler warning" OFF)
 set(ARRIS_SANITIZE "" CACHE STRING

@@ -205,7 +205,7 @@ int vtkSharpEdgeExtractor::RequestData(
   arris::FillCurves(
     vtkPolyData::GetData(outputVector, Curves), features, mesh.Points, this->ResampleStep, output);
   arris::FillCorners(vtkPolyData::GetData(outputVector, Corners), features.Corners, output);
-  arris::AddSurfaceIds(output, features.Faces.Ids, surface.Cells);
+  arris::AddSurfaceIds(output, features.Faces.Ids, surface);
   arris::FillFaceTable(
     vtkTable::GetData(outputVector, Faces), features.Faces.Measures, features.Fits);
   return 1;

@@ -16,6 +16,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <utility>
+
 vtkStandardNewMacro(vtkSharpEdgeReconstruction);
 
 namespace
@@ -60,8 +62,9 @@ int vtkSharpEdgeReconstruction::RequestData(
 
   const arris::Monitor monitor = arris::MonitorOf(this);
   const bool finished = this->Method == ROBUST
-    ? this->RecoverRobustly(surface, parameters, monitor, output)
-    : arris::RecoverByPaper(input, surface, parameters, *this->Classifier, monitor, output);
+    ? this->RecoverRobustly(input, surface, parameters, monitor, output)
+    : arris::RecoverByPaper(
+        input, std::move(surface), parameters, *this->Classifier, monitor, output);
   if (!finished)
   {
     output->Initialize(); // aborted
@@ -70,7 +73,7 @@ int vtkSharpEdgeReconstruction::RequestData(
 }
 
 //------------------------------------------------------------------------------
-bool vtkSharpEdgeReconstruction::RecoverRobustly(const arris::Surface& surface,
+bool vtkSharpEdgeReconstruction::RecoverRobustly(vtkPolyData* input, const arris::Surface& surface,
   const arris::ClassificationParameters& chosen, const arris::Monitor& monitor, vtkPolyData* output)
 {
   arris::RobustParameters parameters;
@@ -79,7 +82,7 @@ bool vtkSharpEdgeReconstruction::RecoverRobustly(const arris::Surface& surface,
     : arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
   parameters.SharpAngle = this->PointsArePicked ? chosen.SharpAngle : this->SharpAngle;
   parameters.Denoise = this->Denoise;
-  if (!arris::RecoverByRobust(surface, parameters, monitor, output))
+  if (!arris::RecoverByRobust(input, surface, parameters, monitor, output))
   {
     return false;
   }

@@ -103,8 +103,9 @@ protected:
   bool Denoise = false;
 
 private:
-  bool RecoverRobustly(const arris::Surface& surface, const arris::ClassificationParameters& chosen,
-    const arris::Monitor& monitor, vtkPolyData* output);
+  bool RecoverRobustly(vtkPolyData* input, const arris::Surface& surface,
+    const arris::ClassificationParameters& chosen, const arris::Monitor& monitor,
+    vtkPolyData* output);
 
   vtkSharpEdgeReconstruction(const vtkSharpEdgeReconstruction&) = delete;
   void operator=(const vtkSharpEdgeReconstruction&) = delete;

@@ -16,6 +16,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <utility>
+
 vtkStandardNewMacro(vtkSharpeningFilter);
 
 //------------------------------------------------------------------------------
@@ -52,20 +54,20 @@ int vtkSharpeningFilter::RequestData(
   }
 
   const arris::StopWatch watch;
-  const arris::Mesh& mesh = surface.Triangulation;
+  arris::Mesh& mesh = surface.Triangulation;
   const double lambda = this->Window > 0.0
     ? this->Window
     : arris::FieldValue(input, arris::array::Lambda, this->WindowRatio * surface.AverageEdgeLength);
-  const std::vector<arris::Vec3> points = arris::SharpenedPoints(mesh, surface.Adjacency, rounds,
-    arris::TraceSkeleton(mesh, surface.Adjacency, rounds), lambda, surface.AverageEdgeLength,
-    arris::MonitorOf(this));
-  if (points.size() != mesh.Points.size())
+  const arris::Skeleton skeleton = arris::TraceSkeleton(mesh, surface.Adjacency, rounds);
+  const std::vector<arris::Vec3> points = arris::SharpenedPoints(std::move(mesh), surface.Adjacency,
+    rounds, skeleton, lambda, surface.AverageEdgeLength, arris::MonitorOf(this));
+  if (points.size() != rounds.size())
   {
     output->Initialize(); // aborted
     return 1;
   }
-  arris::ReplacePoints(output, mesh.Points, points);
-  arris::AddDisplacement(output, mesh.Points);
+  arris::ReplacePoints(output, points);
+  arris::AddDisplacement(output, input->GetPoints());
   arris::AddFieldValue(output, arris::array::SharpeningSeconds, watch.Seconds());
   return 1;
 }

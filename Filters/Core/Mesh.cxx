@@ -6,7 +6,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
-#include <memory>
+#include <cstdint>
 #include <numeric>
 
 namespace arris
@@ -45,134 +45,172 @@ Rows CollectTrianglesOfVertex(const Mesh& mesh)
   return rows;
 }
 
-/// Writes the vertices that share a triangle with `vertex`, ascending, each once, to where there is
-/// room for two a triangle; how many there are.
-Index GatherNeighbors(const Mesh& mesh, IndexSpan triangles, Index vertex, Index* neighbors)
+/// The edges at one vertex, told from its triangles. Keeps its working memory from one vertex to
+/// the next: one object a thread.
+class Spokes
 {
-  Index* end = neighbors;
-  for (Index t : triangles)
+public:
+  void Gather(const Mesh& mesh, IndexSpan triangles, Index vertex)
   {
-    for (Index other : mesh.Triangles[t])
+    this->Leaving.clear();
+    this->Arriving.clear();
+    for (const Index t : triangles)
     {
-      if (other != vertex)
+      const Triangle& triangle = mesh.Triangles[t];
+      const int corner = CornerOf(triangle, vertex);
+      const int last = Next(Next(corner));
+      this->Leaving.push_back(Side(triangle[Next(corner)], t, corner));
+      this->Arriving.push_back(Side(triangle[last], t, last));
+    }
+    std::sort(this->Leaving.begin(), this->Leaving.end());
+    std::sort(this->Arriving.begin(), this->Arriving.end());
+  }
+
+  /// Calls visit(neighbor, sides, count) for each edge, by ascending neighbour, with its sides by
+  /// ascending triangle.
+  template <typename Visit>
+  void ForEachEdge(Visit&& visit)
+  {
+    if (this->IsClosed())
+    {
+      for (std::size_t i = 0; i < this->Leaving.size(); ++i)
       {
-        *end++ = other;
+        const auto pair = std::minmax(this->Leaving[i], this->Arriving[i]);
+        const std::uint64_t sides[2] = { pair.first, pair.second };
+        visit(NeighborOf(sides[0]), sides, 2);
       }
+      return;
+    }
+    this->All.resize(this->Leaving.size() + this->Arriving.size());
+    std::merge(this->Leaving.begin(), this->Leaving.end(), this->Arriving.begin(),
+      this->Arriving.end(), this->All.begin());
+    for (std::size_t first = 0, last = 0; first < this->All.size(); first = last)
+    {
+      while (last < this->All.size() && NeighborOf(this->All[last]) == NeighborOf(this->All[first]))
+      {
+        ++last;
+      }
+      visit(NeighborOf(this->All[first]), &this->All[first], static_cast<int>(last - first));
     }
   }
-  std::sort(neighbors, end);
-  return static_cast<Index>(std::unique(neighbors, end) - neighbors);
+
+  static Index TriangleOf(std::uint64_t side) { return static_cast<Index>(Slot(side) / 3); }
+  static int EdgeOf(std::uint64_t side) { return static_cast<int>(Slot(side) % 3); }
+
+private:
+  // A side is an edge as one triangle has it: the neighbour, then the place among all triangles'
+  // edges, in one number that sorts by both.
+  static std::uint64_t Side(Index neighbor, Index triangle, int edge)
+  {
+    return (static_cast<std::uint64_t>(neighbor) << 32) |
+      (3 * static_cast<std::uint32_t>(triangle) + static_cast<std::uint32_t>(edge));
+  }
+  static std::uint32_t Slot(std::uint64_t side) { return static_cast<std::uint32_t>(side); }
+  static Index NeighborOf(std::uint64_t side) { return static_cast<Index>(side >> 32); }
+
+  /// Whether each edge has two triangles, wound alike: then one leaves the vertex by it and the
+  /// other arrives.
+  bool IsClosed() const
+  {
+    for (std::size_t i = 0; i < this->Leaving.size(); ++i)
+    {
+      const Index neighbor = NeighborOf(this->Leaving[i]);
+      if (neighbor != NeighborOf(this->Arriving[i]) ||
+        (i > 0 && neighbor == NeighborOf(this->Leaving[i - 1])))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::vector<std::uint64_t> Leaving, Arriving, All;
+};
+
+/// Makes each side of an edge point to the triangle of the next, the last one to the first.
+void LinkAround(
+  const std::uint64_t* sides, int count, std::vector<std::array<Index, 3>>& acrossEdge)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const std::uint64_t next = sides[i + 1 < count ? i + 1 : 0];
+    acrossEdge[Spokes::TriangleOf(sides[i])][Spokes::EdgeOf(sides[i])] =
+      count > 1 ? Spokes::TriangleOf(next) : NoIndex;
+  }
 }
 
-Rows CollectNeighborsOfVertex(const Mesh& mesh, const Rows& trianglesOfVertex)
+/// Makes room for `lengths` in the rows of neighbours. A row that is as long as that of the
+/// triangles is where it belongs if all are, as on a closed mesh; the others are gathered anew.
+void SpreadNeighbors(const Mesh& mesh, const Rows& trianglesOfVertex,
+  const std::vector<Index>& lengths, Rows& neighbors)
 {
-  std::vector<Index> lengths(mesh.Points.size());
-  const auto room = std::unique_ptr<Index[]>(new Index[2 * trianglesOfVertex.Values.size()]);
-  const auto roomOf = [&](Index v)
-  { return room.get() + 2 * static_cast<std::size_t>(trianglesOfVertex.Offsets[v]); };
+  std::vector<Index> offsets = OffsetsFromLengths(lengths);
+  if (offsets == trianglesOfVertex.Offsets)
+  {
+    neighbors.Offsets = std::move(offsets);
+    return;
+  }
+  std::vector<Index> values(offsets.back());
   ParallelFor(mesh.VertexCount(),
     [&](Index begin, Index end)
     {
+      Spokes spokes;
       for (Index v = begin; v < end; ++v)
       {
-        lengths[v] = GatherNeighbors(mesh, trianglesOfVertex[v], v, roomOf(v));
+        Index* to = values.data() + offsets[v];
+        const IndexSpan triangles = trianglesOfVertex[v];
+        if (lengths[v] <= triangles.size())
+        {
+          std::copy_n(neighbors.Values.data() + trianglesOfVertex.Offsets[v], lengths[v], to);
+          continue;
+        }
+        spokes.Gather(mesh, triangles, v);
+        spokes.ForEachEdge([&](Index neighbor, const std::uint64_t*, int) { *to++ = neighbor; });
       }
     });
-  Rows rows;
-  rows.Offsets = OffsetsFromLengths(lengths);
-  rows.Values.resize(rows.Offsets.back());
-  ParallelFor(mesh.VertexCount(),
-    [&](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        std::copy_n(roomOf(v), lengths[v], rows.Values.begin() + rows.Offsets[v]);
-      }
-    });
-  return rows;
-}
-
-bool Contains(const Triangle& triangle, Index vertex)
-{
-  return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
-}
-
-/// The triangle that follows `t` in ascending order among those on edge (a, b), the first one after
-/// the last; NoIndex if `t` is alone there. `count` becomes the number of triangles on the edge.
-Index NextAroundEdge(
-  const Mesh& mesh, const Rows& trianglesOfVertex, Index t, Index a, Index b, int& count)
-{
-  // Look through the shorter row: the spokes of a fan of n triangles would else cost n squared.
-  if (trianglesOfVertex[b].size() < trianglesOfVertex[a].size())
-  {
-    std::swap(a, b);
-  }
-  Index first = NoIndex;
-  Index following = NoIndex;
-  count = 0;
-  for (Index candidate : trianglesOfVertex[a])
-  {
-    if (Contains(mesh.Triangles[candidate], b))
-    {
-      ++count;
-      if (first == NoIndex)
-      {
-        first = candidate;
-      }
-      if (candidate > t && following == NoIndex)
-      {
-        following = candidate;
-      }
-    }
-  }
-  if (count == 1)
-  {
-    return NoIndex;
-  }
-  return following == NoIndex ? first : following;
+  neighbors.Offsets = std::move(offsets);
+  neighbors.Values = std::move(values);
 }
 }
 
 Connectivity::Connectivity(const Mesh& mesh)
   : TrianglesOfVertex(CollectTrianglesOfVertex(mesh))
-  , NeighborsOfVertex(CollectNeighborsOfVertex(mesh, this->TrianglesOfVertex))
   , AcrossEdge(mesh.Triangles.size())
   , OnBoundary(mesh.Points.size(), 0)
 {
-  // Each triangle marks its own three corners only in `open`; the vertices gather the marks after.
-  std::vector<unsigned char> open(mesh.Triangles.size(), 0);
-  ParallelFor(mesh.TriangleCount(),
-    [&](Index begin, Index end)
-    {
-      for (Index t = begin; t < end; ++t)
-      {
-        const Triangle& triangle = mesh.Triangles[t];
-        for (int k = 0; k < 3; ++k)
-        {
-          int count = 0;
-          this->AcrossEdge[t][k] =
-            NextAroundEdge(mesh, this->TrianglesOfVertex, t, triangle[k], triangle[Next(k)], count);
-          if (count != 2)
-          {
-            open[t] |= static_cast<unsigned char>((1 << k) | (1 << Next(k)));
-          }
-        }
-      }
-    });
+  std::vector<Index> lengths(mesh.Points.size());
+  this->NeighborsOfVertex.Values.resize(this->TrianglesOfVertex.Values.size());
   ParallelFor(mesh.VertexCount(),
     [&](Index begin, Index end)
     {
+      Spokes spokes;
       for (Index v = begin; v < end; ++v)
       {
-        for (Index t : this->TrianglesOfVertex[v])
-        {
-          if (open[t] & (1 << CornerOf(mesh.Triangles[t], v)))
+        const IndexSpan triangles = this->TrianglesOfVertex[v];
+        Index* neighbors =
+          this->NeighborsOfVertex.Values.data() + this->TrianglesOfVertex.Offsets[v];
+        Index count = 0;
+        bool closed = true;
+        spokes.Gather(mesh, triangles, v);
+        spokes.ForEachEdge(
+          [&](Index neighbor, const std::uint64_t* sides, int sideCount)
           {
-            this->OnBoundary[v] = 1;
-          }
-        }
+            if (v < neighbor) // or both ends would
+            {
+              LinkAround(sides, sideCount, this->AcrossEdge);
+            }
+            if (count < triangles.size())
+            {
+              neighbors[count] = neighbor;
+            }
+            ++count;
+            closed = closed && sideCount == 2;
+          });
+        lengths[v] = count;
+        this->OnBoundary[v] = closed ? 0 : 1;
       }
     });
+  SpreadNeighbors(mesh, this->TrianglesOfVertex, lengths, this->NeighborsOfVertex);
 }
 
 double AverageEdgeLength(const Mesh& mesh, const Connectivity& connectivity)

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace arris
 {
@@ -41,9 +42,9 @@ double GrownSupport(double distance, double windowRadius)
 class MovingMesh
 {
 public:
-  MovingMesh(const Mesh& mesh, const Connectivity& connectivity, const std::vector<int>& rounds,
+  MovingMesh(Mesh mesh, const Connectivity& connectivity, const std::vector<int>& rounds,
     const Skeleton& skeleton, double windowRadius, double averageEdgeLength)
-    : Current(mesh)
+    : Current(std::move(mesh))
     , TheConnectivity(connectivity)
     , TheSkeleton(skeleton)
     , Static(rounds.size())
@@ -206,11 +207,12 @@ std::vector<Index> VerticesOn(const Skeleton& skeleton, bool joints)
 }
 }
 
-std::vector<Vec3> SharpenedPoints(const Mesh& mesh, const Connectivity& connectivity,
+std::vector<Vec3> SharpenedPoints(Mesh mesh, const Connectivity& connectivity,
   const std::vector<int>& thinningRounds, const Skeleton& skeleton, double windowRadius,
   double averageEdgeLength, const Monitor& monitor)
 {
-  MovingMesh moving(mesh, connectivity, thinningRounds, skeleton, windowRadius, averageEdgeLength);
+  MovingMesh moving(
+    std::move(mesh), connectivity, thinningRounds, skeleton, windowRadius, averageEdgeLength);
   const std::vector<std::vector<Index>> groups = GroupByRound(thinningRounds, skeleton);
   const double stages = static_cast<double>(groups.size()) + 2.0; // and branches and joints
   double done = 0.0;

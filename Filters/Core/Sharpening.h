@@ -17,15 +17,16 @@
 namespace arris
 {
 /// New positions for all vertices; those never in the sharp region keep theirs to the last bit.
-/// Empty if the monitor stopped it.
+/// Empty if the monitor stopped it. Who needs the mesh no more moves it in: its points are moved in
+/// place.
 ///
 /// `windowRadius` is λ; `averageEdgeLength` bounds the translation by 4 L (section 4.3).
 /// All vertices of one thinning round are predicted from what earlier rounds left, and then moved
 /// together, as are all branch vertices and all joint vertices: so neither the order of storage
 /// nor the number of threads matters. (The paper moves them one by one.)
-ARRISFILTERS_EXPORT std::vector<Vec3> SharpenedPoints(const Mesh& mesh,
-  const Connectivity& connectivity, const std::vector<int>& thinningRounds,
-  const Skeleton& skeleton, double windowRadius, double averageEdgeLength, const Monitor& monitor);
+ARRISFILTERS_EXPORT std::vector<Vec3> SharpenedPoints(Mesh mesh, const Connectivity& connectivity,
+  const std::vector<int>& thinningRounds, const Skeleton& skeleton, double windowRadius,
+  double averageEdgeLength, const Monitor& monitor);
 }
 
 #endif

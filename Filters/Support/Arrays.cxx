@@ -4,7 +4,9 @@
 #include "Arrays.h"
 
 #include "Core/Geometry.h"
+#include "Core/Parallel.h"
 #include "Core/Thinning.h"
+#include "Support/Surface.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -13,6 +15,7 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -30,11 +33,32 @@ void AddPointArray(vtkPolyData* output, const char* name, ValueAt&& valueAt)
   vtkNew<ArrayType> values;
   values->SetName(name);
   values->SetNumberOfValues(count);
-  for (vtkIdType v = 0; v < count; ++v)
-  {
-    values->SetValue(v, valueAt(v));
-  }
+  ParallelFor(static_cast<Index>(count),
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        values->SetValue(v, valueAt(v));
+      }
+    });
   output->GetPointData()->AddArray(values);
+}
+
+/// radiusAt(v) is the window radius of a point.
+template <typename RadiusAt>
+void AddClassificationBy(vtkPolyData* output, const std::vector<double>& normalDifferences,
+  RadiusAt&& radiusAt, const Flags& sharpRegion)
+{
+  AddPointArray<vtkDoubleArray>(output, array::Ussod,
+    [&](Index v)
+    {
+      const double radius = radiusAt(v);
+      return radius > 0.0 ? normalDifferences[v] / radius : 0.0;
+    });
+  AddPointArray<vtkDoubleArray>(output, array::NormalDeviation,
+    [&](Index v) { return AngleOfDifference(normalDifferences[v]); });
+  AddPointArray<vtkUnsignedCharArray>(
+    output, array::SharpRegion, [&](Index v) { return sharpRegion[v]; });
 }
 }
 
@@ -100,62 +124,73 @@ Flags NonZero(const std::vector<double>& values)
 }
 
 void AddClassification(vtkPolyData* output, const std::vector<double>& normalDifferences,
+  double windowRadius, const Flags& sharpRegion)
+{
+  AddClassificationBy(
+    output, normalDifferences, [=](Index) { return windowRadius; }, sharpRegion);
+}
+
+void AddClassification(vtkPolyData* output, const std::vector<double>& normalDifferences,
   const std::vector<double>& windowRadii, const Flags& sharpRegion)
 {
-  AddPointArray<vtkDoubleArray>(output, array::Ussod,
-    [&](vtkIdType v)
-    { return windowRadii[v] > 0.0 ? normalDifferences[v] / windowRadii[v] : 0.0; });
-  AddPointArray<vtkDoubleArray>(output, array::NormalDeviation,
-    [&](vtkIdType v) { return AngleOfDifference(normalDifferences[v]); });
-  AddPointArray<vtkUnsignedCharArray>(
-    output, array::SharpRegion, [&](vtkIdType v) { return sharpRegion[v]; });
+  AddClassificationBy(
+    output, normalDifferences, [&](Index v) { return windowRadii[v]; }, sharpRegion);
 }
 
 void AddThinning(
   vtkPolyData* output, const std::vector<int>& rounds, const std::vector<SkeletonRole>& roles)
 {
-  AddPointArray<vtkIntArray>(output, array::ThinningRound, [&](vtkIdType v) { return rounds[v]; });
+  AddPointArray<vtkIntArray>(output, array::ThinningRound, [&](Index v) { return rounds[v]; });
   AddPointArray<vtkUnsignedCharArray>(
-    output, array::SkeletonRole, [&](vtkIdType v) { return static_cast<unsigned char>(roles[v]); });
+    output, array::SkeletonRole, [&](Index v) { return static_cast<unsigned char>(roles[v]); });
 }
 
 void AddAccount(vtkPolyData* output, const std::vector<double>& windowRadii,
   const std::vector<double>& edgeAngles, const std::vector<Outcome>& outcomes)
 {
-  AddPointArray<vtkDoubleArray>(output, array::Window, [&](vtkIdType v) { return windowRadii[v]; });
-  AddPointArray<vtkDoubleArray>(
-    output, array::EdgeAngle, [&](vtkIdType v) { return edgeAngles[v]; });
+  AddPointArray<vtkDoubleArray>(output, array::Window, [&](Index v) { return windowRadii[v]; });
+  AddPointArray<vtkDoubleArray>(output, array::EdgeAngle, [&](Index v) { return edgeAngles[v]; });
   AddPointArray<vtkUnsignedCharArray>(
-    output, array::Outcome, [&](vtkIdType v) { return static_cast<unsigned char>(outcomes[v]); });
+    output, array::Outcome, [&](Index v) { return static_cast<unsigned char>(outcomes[v]); });
 }
 
-void AddSurfaceIds(
-  vtkPolyData* output, const std::vector<Index>& ids, const std::vector<vtkIdType>& cells)
+void AddSurfaceIds(vtkPolyData* output, const std::vector<Index>& ids, const Surface& surface)
 {
   vtkNew<vtkIntArray> surfaceIds;
   surfaceIds->SetName(array::SurfaceId);
   surfaceIds->SetNumberOfValues(output->GetNumberOfCells());
   surfaceIds->FillValue(NoIndex);
-  for (std::size_t t = 0; t < ids.size(); ++t)
-  {
-    surfaceIds->SetValue(cells[t], ids[t]);
-  }
+  ParallelFor(static_cast<Index>(ids.size()),
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        surfaceIds->SetValue(surface.CellOf(t), ids[t]);
+      }
+    });
   output->GetCellData()->AddArray(surfaceIds);
 }
 
-void AddDisplacement(vtkPolyData* output, const std::vector<Vec3>& before)
+void AddDisplacement(vtkPolyData* output, vtkPoints* before)
 {
+  const vtkIdType count = output->GetNumberOfPoints();
   vtkNew<vtkDoubleArray> displacement;
   displacement->SetName(array::Displacement);
   displacement->SetNumberOfComponents(3);
-  displacement->SetNumberOfTuples(output->GetNumberOfPoints());
-  for (vtkIdType v = 0; v < output->GetNumberOfPoints(); ++v)
-  {
-    Vec3 now;
-    output->GetPoint(v, now.data());
-    const Vec3 step = now - before[v];
-    displacement->SetTuple(v, step.data());
-  }
+  displacement->SetNumberOfTuples(count);
+  ParallelFor(static_cast<Index>(count),
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        Vec3 now;
+        Vec3 then;
+        output->GetPoints()->GetPoint(v, now.data());
+        before->GetPoint(v, then.data());
+        const Vec3 step = now - then;
+        displacement->SetTypedTuple(v, step.data());
+      }
+    });
   output->GetPointData()->AddArray(displacement);
 }
 

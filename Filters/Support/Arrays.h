@@ -16,10 +16,13 @@
 #include <string>
 
 class vtkDataArray;
+class vtkPoints;
 class vtkPolyData;
 
 namespace arris
 {
+struct Surface;
+
 namespace array
 {
 constexpr const char* Ussod = "USSOD";
@@ -78,7 +81,10 @@ std::string ReadThinningRounds(vtkDataArray* array, vtkPolyData* input, std::vec
 /// 1 where a value is not 0.
 Flags NonZero(const std::vector<double>& values);
 
-/// USSOD, NormalDeviation and SharpRegion on points, from λτ and the window radius λ of each.
+/// USSOD, NormalDeviation and SharpRegion on points, from λτ and the window radius λ, of all points
+/// or of each.
+void AddClassification(vtkPolyData* output, const std::vector<double>& normalDifferences,
+  double windowRadius, const Flags& sharpRegion);
 void AddClassification(vtkPolyData* output, const std::vector<double>& normalDifferences,
   const std::vector<double>& windowRadii, const Flags& sharpRegion);
 
@@ -90,12 +96,12 @@ void AddThinning(
 void AddAccount(vtkPolyData* output, const std::vector<double>& windowRadii,
   const std::vector<double>& edgeAngles, const std::vector<Outcome>& outcomes);
 
-/// SurfaceId on cells, from the ids of triangles and the cells they are; NoIndex on all others.
-void AddSurfaceIds(
-  vtkPolyData* output, const std::vector<Index>& ids, const std::vector<vtkIdType>& cells);
+/// SurfaceId on cells, from the ids of the surface's triangles; NoIndex on all others.
+void AddSurfaceIds(vtkPolyData* output, const std::vector<Index>& ids, const Surface& surface);
 
-/// Displacement on points: output minus input position, as both are stored.
-void AddDisplacement(vtkPolyData* output, const std::vector<Vec3>& before);
+/// Displacement on points: output minus input position, as both are stored. The input may have no
+/// points.
+void AddDisplacement(vtkPolyData* output, vtkPoints* before);
 
 /// One number of the field data; replaces one of that name.
 void AddFieldValue(vtkPolyData* output, const char* name, double value);

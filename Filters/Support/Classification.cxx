@@ -40,8 +40,7 @@ bool Classification::Update(vtkPolyData* input, const Surface& surface,
     seconds = watch.Seconds();
   }
   this->SharpVertices = SharpRegion(this->DifferenceOfVertex, parameters.SharpAngle);
-  const std::vector<double> radii(this->DifferenceOfVertex.size(), parameters.WindowRadius);
-  AddClassification(output, this->DifferenceOfVertex, radii, this->SharpVertices);
+  AddClassification(output, this->DifferenceOfVertex, parameters.WindowRadius, this->SharpVertices);
   AddFieldValue(output, array::Lambda, parameters.WindowRadius);
   AddFieldValue(output, array::SharpAngle, parameters.SharpAngle);
   AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);

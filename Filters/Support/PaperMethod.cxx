@@ -11,6 +11,8 @@
 
 #include <vtkPolyData.h>
 
+#include <utility>
+
 namespace arris
 {
 namespace
@@ -20,11 +22,11 @@ constexpr double Classified = 0.6;
 constexpr double Thinned = 0.7;
 }
 
-bool RecoverByPaper(vtkPolyData* input, const Surface& surface,
-  const ClassificationParameters& parameters, Classification& classification,
-  const Monitor& monitor, vtkPolyData* output)
+bool RecoverByPaper(vtkPolyData* input, Surface surface, const ClassificationParameters& parameters,
+  Classification& classification, const Monitor& monitor, vtkPolyData* output)
 {
-  const Mesh& mesh = surface.Triangulation;
+  Mesh& mesh = surface.Triangulation;
+  const std::size_t count = mesh.Points.size();
   const Connectivity& connectivity = surface.Adjacency;
   if (!classification.Update(input, surface, parameters, monitor.Part(0.0, Classified), output))
   {
@@ -34,7 +36,7 @@ bool RecoverByPaper(vtkPolyData* input, const Surface& surface,
   const StopWatch thinning;
   const std::vector<int> rounds = ThinningRounds(mesh, connectivity, classification.Region(),
     classification.Differences(), monitor.Part(Classified, Thinned));
-  if (rounds.size() != mesh.Points.size())
+  if (rounds.size() != count)
   {
     return false;
   }
@@ -43,14 +45,15 @@ bool RecoverByPaper(vtkPolyData* input, const Surface& surface,
   AddFieldValue(output, array::ThinningSeconds, thinning.Seconds());
 
   const StopWatch sharpening;
-  const std::vector<Vec3> points = SharpenedPoints(mesh, connectivity, rounds, skeleton,
+  const std::vector<Vec3> points = SharpenedPoints(std::move(mesh), connectivity, rounds, skeleton,
     parameters.WindowRadius, surface.AverageEdgeLength, monitor.Part(Thinned, 1.0));
-  if (points.size() != mesh.Points.size())
+  if (points.size() != count)
   {
     return false;
   }
-  ReplacePoints(output, mesh.Points, points);
-  AddDisplacement(output, mesh.Points);
+  surface.Adjacency = Connectivity();
+  ReplacePoints(output, points);
+  AddDisplacement(output, input->GetPoints());
   AddFieldValue(output, array::SharpeningSeconds, sharpening.Seconds());
   return monitor.Report(1.0);
 }

@@ -92,6 +92,7 @@ void MergeOpenPoints(double tolerance, Surface& surface)
   {
     becomes[open[i]] = merged[i];
   }
+  std::vector<vtkIdType> cells;
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
@@ -100,12 +101,12 @@ void MergeOpenPoints(double tolerance, Surface& surface)
     if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
     {
       mesh.Triangles[kept] = triangle;
-      surface.Cells[kept] = surface.Cells[t];
+      cells.push_back(surface.CellOf(static_cast<Index>(t)));
       ++kept;
     }
   }
   mesh.Triangles.resize(kept);
-  surface.Cells.resize(kept);
+  surface.Cells = std::move(cells);
   surface.Adjacency = Connectivity(mesh);
   surface.AverageEdgeLength = AverageEdgeLength(mesh, surface.Adjacency);
 }

@@ -11,7 +11,7 @@
 
 namespace arris
 {
-bool RecoverByRobust(const Surface& surface, const RobustParameters& parameters,
+bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustParameters& parameters,
   const Monitor& monitor, vtkPolyData* output)
 {
   const Mesh& mesh = surface.Triangulation;
@@ -33,8 +33,8 @@ bool RecoverByRobust(const Surface& surface, const RobustParameters& parameters,
   AddFieldValue(output, array::ClassificationSeconds, result.ClassificationSeconds);
   AddFieldValue(output, array::ThinningSeconds, result.ThinningSeconds);
   AddFieldValue(output, array::SharpeningSeconds, result.SharpeningSeconds);
-  ReplacePoints(output, mesh.Points, result.Points);
-  AddDisplacement(output, mesh.Points);
+  ReplacePoints(output, result.Points);
+  AddDisplacement(output, input->GetPoints());
   return true;
 }
 

@@ -14,9 +14,9 @@ class vtkPolyData;
 
 namespace arris
 {
-/// Recovers the sharp edges of `surface` in `output`, which ReadSurface filled, and adds its
-/// arrays. False if the monitor stopped it; the output is then unfinished.
-bool RecoverByRobust(const Surface& surface, const RobustParameters& parameters,
+/// Recovers the sharp edges of `surface` in `output`, which ReadSurface filled from `input`, and
+/// adds its arrays. False if the monitor stopped it; the output is then unfinished.
+bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustParameters& parameters,
   const Monitor& monitor, vtkPolyData* output);
 
 /// Whether the method found the mesh rough and worked on a smoothed copy.

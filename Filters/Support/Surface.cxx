@@ -5,15 +5,16 @@
 
 #include "Core/Parallel.h"
 
+#include <vtkArrayDispatch.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
+#include <vtkDataArrayRange.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
 
@@ -29,26 +30,102 @@ namespace
 /// The most cells for which three corners a triangle still fit an Index.
 constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
 
-/// The first point that is not finite, or how many points there are.
-vtkIdType FirstNonFinitePoint(vtkPoints* points)
+/// Copies points of any type, in parallel, and looks whether they are finite.
+struct PointReader
 {
-  std::atomic<vtkIdType> first(points->GetNumberOfPoints());
-  vtkSMPTools::For(0, first,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < std::min<vtkIdType>(end, first); ++i)
+  std::vector<Vec3>& Points;
+  std::atomic<vtkIdType> FirstNonFinite;
+
+  template <typename ArrayType>
+  void operator()(ArrayType* array)
+  {
+    const auto from = vtk::DataArrayTupleRange<3>(array);
+    ParallelFor(static_cast<Index>(from.size()),
+      [&](Index begin, Index end)
       {
-        double p[3];
-        points->GetPoint(i, p);
-        vtkIdType least = first;
-        while (i < least && !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) &&
-          !first.compare_exchange_weak(least, i))
+        for (Index v = begin; v < end; ++v)
         {
+          Vec3& to = this->Points[v];
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            to[axis] = static_cast<double>(from[v][axis]);
+          }
+          if (!to.allFinite())
+          {
+            this->Report(v);
+          }
         }
-      }
-    });
-  return first;
+      });
+  }
+
+  void Report(vtkIdType v)
+  {
+    vtkIdType first = this->FirstNonFinite;
+    while (v < first && !this->FirstNonFinite.compare_exchange_weak(first, v))
+    {
+    }
+  }
+};
+
+/// Reads the points; what is wrong with them, or nothing.
+std::string ReadPoints(vtkPolyData* input, std::vector<Vec3>& points)
+{
+  const vtkIdType count = input->GetNumberOfPoints();
+  points.resize(count);
+  if (count == 0)
+  {
+    return {};
+  }
+  PointReader reader{ points, { count } };
+  vtkDataArray* array = input->GetPoints()->GetData();
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(array, reader))
+  {
+    reader(array);
+  }
+  const vtkIdType bad = reader.FirstNonFinite;
+  return bad < count
+    ? "point " + std::to_string(bad) + " has a coordinate that is not a finite number"
+    : std::string();
 }
+
+/// Copies cells in parallel as long as each is a triangle of three different points that are there.
+struct TriangleReader
+{
+  template <typename CellState>
+  bool operator()(CellState& state, vtkIdType pointCount, std::vector<Triangle>& triangles) const
+  {
+    const auto* offsets = state.GetOffsets()->GetPointer(0);
+    const auto* ids = state.GetConnectivity()->GetPointer(0);
+    const vtkIdType idCount = state.GetConnectivity()->GetNumberOfValues();
+    const auto count = static_cast<Index>(state.GetNumberOfCells());
+    triangles.resize(count);
+    std::atomic<bool> allGood(true);
+    ParallelFor(count,
+      [&](Index begin, Index end)
+      {
+        bool good = true;
+        for (Index t = begin; t < end && good; ++t)
+        {
+          const vtkIdType first = offsets[t];
+          good = offsets[t + 1] - first == 3 && first >= 0 && first + 3 <= idCount;
+          for (int k = 0; k < 3 && good; ++k)
+          {
+            const vtkIdType id = ids[first + k];
+            good = id >= 0 && id < pointCount;
+            triangles[t][k] = static_cast<Index>(id);
+          }
+          const Triangle& triangle = triangles[t];
+          good = good && triangle[0] != triangle[1] && triangle[1] != triangle[2] &&
+            triangle[2] != triangle[0];
+        }
+        if (!good)
+        {
+          allGood = false;
+        }
+      });
+    return allGood;
+  }
+};
 
 /// What is wrong with the cells of one kind, or nothing.
 std::string ProblemWithCells(
@@ -77,29 +154,22 @@ std::string ProblemWithCells(
   return {};
 }
 
-std::string ProblemWith(vtkPolyData* input)
+std::string ProblemWithSize(vtkPolyData* input)
+{
+  const bool fits = input->GetPolys()->GetNumberOfConnectivityIds() <= MostTriangles &&
+    input->GetStrips()->GetNumberOfConnectivityIds() <= MostTriangles &&
+    input->GetNumberOfPoints() <= MostTriangles;
+  return fits ? std::string()
+              : "the mesh is too large: at most " + std::to_string(MostTriangles) +
+      " points and corners of cells can be indexed";
+}
+
+std::string ProblemWithAllCells(vtkPolyData* input)
 {
   const vtkIdType pointCount = input->GetNumberOfPoints();
-  if (input->GetPolys()->GetNumberOfConnectivityIds() > MostTriangles ||
-    input->GetStrips()->GetNumberOfConnectivityIds() > MostTriangles || pointCount > MostTriangles)
-  {
-    return "the mesh is too large: at most " + std::to_string(MostTriangles) +
-      " points and corners of cells can be indexed";
-  }
-  if (pointCount > 0)
-  {
-    const vtkIdType bad = FirstNonFinitePoint(input->GetPoints());
-    if (bad < pointCount)
-    {
-      return "point " + std::to_string(bad) + " has a coordinate that is not a finite number";
-    }
-  }
-  std::string problem = ProblemWithCells(input->GetPolys(), "polygon", 3, pointCount);
-  if (problem.empty())
-  {
-    problem = ProblemWithCells(input->GetStrips(), "triangle strip", 3, pointCount);
-  }
-  return problem;
+  const std::string problem = ProblemWithCells(input->GetPolys(), "polygon", 3, pointCount);
+  return problem.empty() ? ProblemWithCells(input->GetStrips(), "triangle strip", 3, pointCount)
+                         : problem;
 }
 
 bool AllTriangles(vtkPolyData* input)
@@ -169,21 +239,12 @@ std::string Triangulate(vtkPolyData* input, vtkPolyData* output)
   return {};
 }
 
-void FillMesh(vtkPolyData* output, Surface& surface)
+/// Takes over the cells that are triangles of three different points.
+void FillTriangles(vtkPolyData* output, Surface& surface)
 {
-  Mesh& mesh = surface.Triangulation;
-  mesh.Points.resize(output->GetNumberOfPoints());
-  ParallelFor(mesh.VertexCount(),
-    [&](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        output->GetPoints()->GetPoint(v, mesh.Points[v].data());
-      }
-    });
+  std::vector<Triangle>& triangles = surface.Triangulation.Triangles;
   const vtkIdType before = output->GetNumberOfVerts() + output->GetNumberOfLines();
-  mesh.Triangles.reserve(output->GetNumberOfPolys());
-  surface.Cells.reserve(output->GetNumberOfPolys());
+  triangles.clear();
   const auto cell = vtk::TakeSmartPointer(output->GetPolys()->NewIterator());
   for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
   {
@@ -192,58 +253,86 @@ void FillMesh(vtkPolyData* output, Surface& surface)
     cell->GetCurrentCell(count, ids);
     if (ids[0] != ids[1] && ids[1] != ids[2] && ids[2] != ids[0])
     {
-      mesh.Triangles.push_back(
+      triangles.push_back(
         { static_cast<Index>(ids[0]), static_cast<Index>(ids[1]), static_cast<Index>(ids[2]) });
       surface.Cells.push_back(before + cell->GetCurrentCellId());
     }
   }
 }
+
+/// Makes `output` of the input and reads its triangles; what is wrong with the cells, or nothing.
+std::string ReadCells(vtkPolyData* input, vtkPolyData* output, Surface& surface)
+{
+  // Nearly all meshes are triangles through and through, and need no second look.
+  if (input->GetNumberOfStrips() == 0 &&
+    input->GetPolys()->Visit(
+      TriangleReader{}, input->GetNumberOfPoints(), surface.Triangulation.Triangles))
+  {
+    output->ShallowCopy(input);
+    surface.FirstCell = input->GetNumberOfVerts() + input->GetNumberOfLines();
+    return {};
+  }
+  std::string problem = ProblemWithAllCells(input);
+  if (problem.empty() && AllTriangles(input))
+  {
+    output->ShallowCopy(input);
+  }
+  else if (problem.empty())
+  {
+    problem = Triangulate(input, output);
+  }
+  if (problem.empty())
+  {
+    FillTriangles(output, surface);
+  }
+  return problem;
+}
 }
 
 std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surface)
 {
-  std::string problem = ProblemWith(input);
-  if (problem.empty())
-  {
-    if (AllTriangles(input))
-    {
-      output->ShallowCopy(input);
-    }
-    else
-    {
-      problem = Triangulate(input, output);
-    }
-  }
+  std::string problem = ProblemWithSize(input);
+  problem = problem.empty() ? ReadPoints(input, surface.Triangulation.Points) : problem;
+  problem = problem.empty() ? ReadCells(input, output, surface) : problem;
   if (!problem.empty())
   {
     output->Initialize();
     return problem;
   }
-  FillMesh(output, surface);
   surface.Adjacency = Connectivity(surface.Triangulation);
   surface.AverageEdgeLength = AverageEdgeLength(surface.Triangulation, surface.Adjacency);
   return {};
 }
 
-void ReplacePoints(
-  vtkPolyData* output, const std::vector<Vec3>& before, const std::vector<Vec3>& after)
+void ReplacePoints(vtkPolyData* output, const std::vector<Vec3>& after)
 {
-  if (before.empty())
+  if (after.empty())
   {
     return;
   }
   vtkNew<vtkPoints> points;
   points->SetDataType(output->GetPoints()->GetDataType());
   points->DeepCopy(output->GetPoints());
-  bool moved = false;
-  for (std::size_t v = 0; v < after.size(); ++v)
-  {
-    if (after[v] != before[v])
+  std::atomic<bool> moved(false);
+  ParallelFor(static_cast<Index>(after.size()),
+    [&](Index begin, Index end)
     {
-      points->SetPoint(static_cast<vtkIdType>(v), after[v].data());
-      moved = true;
-    }
-  }
+      bool any = false;
+      for (Index v = begin; v < end; ++v)
+      {
+        Vec3 before;
+        output->GetPoints()->GetPoint(v, before.data());
+        if (after[v] != before)
+        {
+          points->SetPoint(v, after[v].data());
+          any = true;
+        }
+      }
+      if (any)
+      {
+        moved = true;
+      }
+    });
   if (moved)
   {
     output->SetPoints(points);

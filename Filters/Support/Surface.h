@@ -9,6 +9,8 @@
 
 #include "Core/Mesh.h"
 
+#include "ArrisFiltersModule.h" // for the export macro
+
 #include <vtkType.h>
 
 #include <string>
@@ -24,8 +26,17 @@ struct Surface
   Connectivity Adjacency;
   double AverageEdgeLength = 0.0;
 
-  /// The cell of the vtkPolyData that each triangle is. Cells that name a point twice are no
-  /// triangles and stand in no entry.
+  /// The cell of the vtkPolyData that a triangle is. Cells that name a point twice are no
+  /// triangles.
+  vtkIdType CellOf(Index triangle) const
+  {
+    return this->Cells.empty() ? this->FirstCell + triangle : this->Cells[triangle];
+  }
+
+  /// The first of the cells, when all that can be triangles are.
+  vtkIdType FirstCell = 0;
+
+  /// The cell of each triangle otherwise.
   std::vector<vtkIdType> Cells;
 };
 
@@ -36,13 +47,13 @@ struct Surface
 /// Returns what is wrong with the input, in words for a user, or nothing. Wrong is: a point that is
 /// not finite, a cell that names a point that is not there, a polygon that cannot be cut into
 /// triangles, more cells than 32-bit indices can count.
-std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surface);
+ARRISFILTERS_EXPORT std::string ReadSurface(
+  vtkPolyData* input, vtkPolyData* output, Surface& surface);
 
 /// Replaces the output's points by moved ones, in the precision it has. Points whose new position
 /// equals the old one keep every bit. Normals that came with the input do not fit the moved surface
 /// any more: the arrays stay, but are no longer the ones to shade by.
-void ReplacePoints(
-  vtkPolyData* output, const std::vector<Vec3>& before, const std::vector<Vec3>& after);
+void ReplacePoints(vtkPolyData* output, const std::vector<Vec3>& after);
 }
 
 #endif
