@@ -36,6 +36,9 @@ public:
   double NextDistance() const;
 
 private:
+  /// Takes in what is across an edge of a triangle, if it is new and near enough.
+  void Visit(Index from, int edge, const Vec3& center, double radius2);
+
   const Mesh& TheMesh;
   const Connectivity& TheConnectivity;
   IndexSet Seen;

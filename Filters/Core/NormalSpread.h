@@ -22,12 +22,20 @@ public:
   double Largest(const std::vector<Index>& triangles, const std::vector<Vec3>& unitNormals);
 
 private:
+  /// Which of the normals is farthest from a direction, and the squares of all their chords to it.
+  std::size_t FarthestFrom(const Vec3& direction, std::vector<double>& chords2) const;
+
+  /// The largest square of a chord between two normals, if it is over `best2`; `best2` otherwise.
+  double LargestOver(double best2, double mostToAxis2);
+
   struct Entry
   {
     double ToAxis; ///< chord from the normal to the axis of the set
-    Index Triangle;
+    std::size_t Normal;
   };
-  std::vector<Entry> Entries;
+  std::vector<Vec3> Normals;
+  std::vector<double> ToAxis2, ToFirst2; ///< squares of chords
+  std::vector<Entry> Farthest;
 };
 }
 

@@ -5,10 +5,12 @@
 
 #include "Core/Geometry.h"
 #include "Meshes.h"
+#include "PlainUssod.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <random>
 
 using namespace arris;
 using namespace arris::testing;
@@ -190,6 +192,31 @@ TEST_P(Ussod, GivesNothingWhenStopped)
 INSTANTIATE_TEST_SUITE_P(Searches, Ussod,
   ::testing::Values(WindowSearch::Connected, WindowSearch::Spatial),
   [](const auto& test) { return test.param == WindowSearch::Connected ? "Connected" : "Spatial"; });
+
+TEST(Ussod, IsThatOfThePlainFormulaOnRaggedMeshes)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> shift(-0.3, 0.3);
+  // Closed, with a boundary, and with edges of three triangles.
+  for (Mesh mesh : { Sphere(4.0, 5), ChamferedFold(5, 6, 70.0, 0.4), Wings(3), Box(4, 3, 2) })
+  {
+    for (Vec3& point : mesh.Points)
+    {
+      point += Vec3(shift(random), shift(random), shift(random));
+    }
+    const double edge = AverageEdgeLength(mesh, Connectivity(mesh));
+    const std::vector<Vec3> normals = UnitNormals(mesh, edge);
+    for (const double ratio : { 0.3, 0.75, 1.0, 1.5, 3.0 })
+    {
+      const std::vector<double> fast = Differences(mesh, ratio * edge, WindowSearch::Connected);
+      for (Index v = 0; v < mesh.VertexCount(); ++v)
+      {
+        EXPECT_NEAR(fast[v], PlainDifference(mesh, normals, v, ratio * edge), 1e-12)
+          << "vertex " << v << ", window " << ratio;
+      }
+    }
+  }
+}
 
 TEST(Ussod, OnlyTheSpatialSearchSeesTheOtherSideOfAThinPlate)
 {
