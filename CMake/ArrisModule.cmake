@@ -29,6 +29,7 @@ set(sources
   Filters/Core/Thinning.cxx
   Filters/Core/TriangleCrossing.cxx
   Filters/Core/Ussod.cxx
+  Filters/Core/Assembly/CoincidentPoints.cxx
   Filters/Core/Features/CurveProperties.cxx
   Filters/Core/Features/FeatureCorners.cxx
   Filters/Core/Features/FeatureEdges.cxx
