@@ -66,8 +66,8 @@ bool LabelVertices(
     return false;
   }
   labelling.FirstApexLabel = patches.PatchCount;
-  labelling.Labels = FloodLabels(
-    around.TheMesh, around.TheConnectivity, patches, region, labelling.Sides, labelling.SidesOf);
+  labelling.Labels =
+    FloodLabels(around.TheConnectivity, patches, region, labelling.Sides, labelling.SidesOf);
   return true;
 }
 

@@ -3,6 +3,8 @@
 
 #include "Labels.h"
 
+#include "Core/Flagged.h"
+
 #include <queue>
 
 namespace arris
@@ -23,8 +25,8 @@ struct Arrival
 };
 }
 
-std::vector<Index> FloodLabels(const Mesh& mesh, const Connectivity& connectivity,
-  const Patches& patches, const Flags& region, const std::vector<std::vector<Side>>& sides,
+std::vector<Index> FloodLabels(const Connectivity& connectivity, const Patches& patches,
+  const Flags& region, const std::vector<std::vector<Side>>& sides,
   const std::vector<Index>& sidesOf)
 {
   std::vector<Index> labels = patches.PatchOf;
@@ -39,13 +41,13 @@ std::vector<Index> FloodLabels(const Mesh& mesh, const Connectivity& connectivit
       }
     }
   };
-  for (Index v = 0; v < mesh.VertexCount(); ++v)
+  for (Index v : Flagged(region))
   {
-    if (!region[v])
+    for (Index n : connectivity.NeighborsOfVertex[v])
     {
-      for (Index n : connectivity.NeighborsOfVertex[v])
+      if (!region[n])
       {
-        offer(n, labels[v]);
+        offer(v, labels[n]);
       }
     }
   }

@@ -13,8 +13,8 @@ namespace arris
 {
 /// The patch each vertex belongs to. Labels flood from the intact vertices into the region, least
 /// cost first, so that each stays connected with its patch. NoIndex where none arrived.
-std::vector<Index> FloodLabels(const Mesh& mesh, const Connectivity& connectivity,
-  const Patches& patches, const Flags& region, const std::vector<std::vector<Side>>& sides,
+std::vector<Index> FloodLabels(const Connectivity& connectivity, const Patches& patches,
+  const Flags& region, const std::vector<std::vector<Side>>& sides,
   const std::vector<Index>& sidesOf);
 
 /// The side of that patch, or null.

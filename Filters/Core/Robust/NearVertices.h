@@ -28,7 +28,8 @@ public:
     {
       for (Index n : connectivity.NeighborsOfVertex[this->Found[next]])
       {
-        if ((points[n] - center).squaredNorm() <= radius * radius && this->Seen.Insert(n))
+        // Asked first, as each vertex is met once from each of its neighbours.
+        if (this->Seen.Insert(n) && (points[n] - center).squaredNorm() <= radius * radius)
         {
           this->Found.push_back(n);
         }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace arris
@@ -43,21 +44,62 @@ std::vector<Index> Flood(const Connectivity& connectivity, Index seed, Index id,
   return group;
 }
 
+/// Sorts vertices into classes of λτ, flattest first. The order within a class is theirs:
+/// ascending.
+Rows SortIntoClasses(const std::vector<double>& flatness, const std::vector<Index>& vertices)
+{
+  // Powers of two, four classes to each from 2^-48 on: under that all is rounding.
+  constexpr int Finest = -48;
+  constexpr int PerPower = 4;
+  constexpr int Classes = PerPower * (2 - Finest) + 1;
+  const auto classOf = [&](Index v)
+  {
+    int power = 0;
+    const double mantissa = std::frexp(flatness[v], &power); // 0.5 to 1
+    const int step = static_cast<int>((mantissa - 0.5) * 2.0 * PerPower);
+    return flatness[v] > 0.0 ? std::clamp(PerPower * (power - Finest) + step + 1, 1, Classes - 1)
+                             : 0;
+  };
+  Rows rows;
+  rows.Offsets.assign(Classes + 1, 0);
+  for (Index v : vertices)
+  {
+    ++rows.Offsets[classOf(v) + 1];
+  }
+  std::partial_sum(rows.Offsets.begin(), rows.Offsets.end(), rows.Offsets.begin());
+  rows.Values.resize(vertices.size());
+  std::vector<Index> next(rows.Offsets.begin(), rows.Offsets.end() - 1);
+  for (Index v : vertices)
+  {
+    rows.Values[next[classOf(v)]++] = v;
+  }
+  return rows;
+}
+
 /// Floods patches over what is intact and in none yet, from the flattest seeds on.
 void FloodPatches(const Connectivity& connectivity, const Faces& faces,
-  const std::vector<double>& flatness, const Flags& region, double spread, std::vector<Index> seeds,
-  Patches& patches)
+  const std::vector<double>& flatness, const Flags& region, double spread,
+  const std::vector<Index>& seeds, Patches& patches)
 {
-  std::stable_sort(
-    seeds.begin(), seeds.end(), [&](Index a, Index b) { return flatness[a] < flatness[b]; });
   const double leastCosine = std::cos(spread * Pi / 180.0);
-  for (Index seed : seeds)
+  const Rows classes = SortIntoClasses(flatness, seeds);
+  std::vector<Index> open;
+  for (Index c = 0; c < classes.size(); ++c)
   {
-    if (patches.PatchOf[seed] == NoIndex)
+    // The first few patches take nearly all vertices; only what they leave needs to be sorted.
+    open.clear();
+    std::copy_if(classes[c].begin(), classes[c].end(), std::back_inserter(open),
+      [&](Index v) { return patches.PatchOf[v] == NoIndex; });
+    std::stable_sort(
+      open.begin(), open.end(), [&](Index a, Index b) { return flatness[a] < flatness[b]; });
+    for (Index seed : open)
     {
-      const Vec3& normal = faces.VertexNormals[seed];
-      Flood(connectivity, seed, patches.PatchCount++, patches.PatchOf,
-        [&](Index n) { return !region[n] && faces.VertexNormals[n].dot(normal) >= leastCosine; });
+      if (patches.PatchOf[seed] == NoIndex)
+      {
+        const Vec3& normal = faces.VertexNormals[seed];
+        Flood(connectivity, seed, patches.PatchCount++, patches.PatchOf,
+          [&](Index n) { return !region[n] && faces.VertexNormals[n].dot(normal) >= leastCosine; });
+      }
     }
   }
 }

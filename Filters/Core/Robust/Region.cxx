@@ -234,20 +234,45 @@ private:
   /// One or two vertices left over inside the region are part of it.
   void FillHoles(Flags& region) const
   {
-    constexpr std::size_t LargestHole = 2;
-    Flags filled = region;
-    ForEachGroup(this->TheConnectivity, region, 0,
-      [&](const std::vector<Index>& group)
+    std::vector<Index> filled;
+    for (Index inside : Flagged(region))
+    {
+      for (Index v : this->TheConnectivity.NeighborsOfVertex[inside])
       {
-        if (group.size() <= LargestHole)
+        if (!region[v] && this->IsHole(v, region))
         {
-          for (Index v : group)
-          {
-            filled[v] = 1;
-          }
+          filled.push_back(v);
         }
-      });
-    region.swap(filled);
+      }
+    }
+    for (Index v : filled)
+    {
+      region[v] = 1;
+    }
+  }
+
+  /// Whether an intact vertex has no intact neighbour, or just one that has no other.
+  bool IsHole(Index v, const Flags& region) const
+  {
+    Index other = NoIndex;
+    for (Index n : this->TheConnectivity.NeighborsOfVertex[v])
+    {
+      if (!region[n])
+      {
+        if (other != NoIndex)
+        {
+          return false;
+        }
+        other = n;
+      }
+    }
+    if (other == NoIndex)
+    {
+      return true;
+    }
+    const IndexSpan around = this->TheConnectivity.NeighborsOfVertex[other];
+    return std::all_of(
+      around.begin(), around.end(), [&](Index n) { return n == v || region[n] != 0; });
   }
 
   const Mesh& TheMesh;

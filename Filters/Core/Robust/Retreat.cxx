@@ -6,6 +6,7 @@
 #include "Core/Intersections.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace arris
 {
@@ -34,10 +35,13 @@ public:
   void Run()
   {
     this->UndoFolds(this->Labelled);
+    std::vector<Index> suspects;
+    std::copy_if(this->Labelled.begin(), this->Labelled.end(), std::back_inserter(suspects),
+      [this](Index t) { return this->Moved(this->TheMesh.Triangles[t]); });
     // Every round gives back at least one vertex for each pair, so there is an end to it.
     for (;;)
     {
-      const std::vector<Index> cutting = this->CuttingTriangles();
+      const std::vector<Index> cutting = this->CuttingTriangles(suspects);
       if (cutting.empty())
       {
         return;
@@ -47,7 +51,8 @@ public:
       {
         this->GiveBack(t, changed);
       }
-      this->UndoFolds(this->TrianglesAround(changed));
+      this->UndoFolds(this->TrianglesAround(changed), &changed);
+      suspects = this->TrianglesAround(changed); // only these can cut what they did not before
     }
   }
 
@@ -86,11 +91,13 @@ private:
       std::count_if(around.begin(), around.end(), [this](Index t) { return this->Folded(t); }));
   }
 
-  void UndoFolds(std::vector<Index> suspects)
+  /// Adds what it has changed to `allChanged`.
+  void UndoFolds(std::vector<Index> suspects, std::vector<Index>* allChanged = nullptr)
   {
+    std::vector<Index> changed;
     while (!suspects.empty())
     {
-      std::vector<Index> changed;
+      changed.clear();
       for (Index t : suspects)
       {
         if (this->Folded(t) && !this->UndoOne(t, changed))
@@ -99,6 +106,10 @@ private:
         }
       }
       suspects = this->TrianglesAround(changed);
+      if (allChanged != nullptr)
+      {
+        allChanged->insert(allChanged->end(), changed.begin(), changed.end());
+      }
     }
   }
 
@@ -150,22 +161,14 @@ private:
     }
   }
 
-  /// Of the pairs that cut each other, the triangles that have moved.
-  std::vector<Index> CuttingTriangles() const
+  /// Of the pairs with one of `suspects` that cut each other, the triangles that have moved.
+  std::vector<Index> CuttingTriangles(const std::vector<Index>& suspects) const
   {
     Mesh moved;
     moved.Points = this->ThePlacement.AllPoints();
     moved.Triangles = this->TheMesh.Triangles;
-    std::vector<Index> candidates;
-    for (Index t : this->Labelled)
-    {
-      if (this->Moved(this->TheMesh.Triangles[t]))
-      {
-        candidates.push_back(t);
-      }
-    }
     std::vector<Index> cutting;
-    for (const auto& pair : FindIntersections(moved, candidates))
+    for (const auto& pair : FindIntersections(moved, suspects))
     {
       for (Index t : pair)
       {

@@ -4,6 +4,7 @@
 #include "Ridge.h"
 
 #include "Core/Geometry.h"
+#include "Core/Parallel.h"
 #include "MeetSheets.h"
 
 #include <algorithm>
@@ -111,25 +112,36 @@ private:
     std::vector<Candidate> candidates;
     for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
     {
-      if (this->TheLabelling.SidesOf[v] == NoIndex)
+      if (this->TheLabelling.SidesOf[v] != NoIndex)
       {
-        continue;
-      }
-      Candidate candidate{ v, std::numeric_limits<double>::max(), {} };
-      for (Index n : this->TheConnectivity.NeighborsOfVertex[v])
-      {
-        if (this->Crosses(v, n))
-        {
-          candidate.Across.push_back(n);
-          candidate.Distance = std::min(candidate.Distance, this->DistanceToRidge(v, n));
-        }
-      }
-      if (!candidate.Across.empty())
-      {
-        candidates.push_back(std::move(candidate));
+        candidates.push_back({ v, std::numeric_limits<double>::max(), {} });
       }
     }
+    ParallelFor(static_cast<Index>(candidates.size()),
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          this->FindCrossings(candidates[i]);
+        }
+      });
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                       [](const Candidate& candidate) { return candidate.Across.empty(); }),
+      candidates.end());
     return candidates;
+  }
+
+  void FindCrossings(Candidate& candidate) const
+  {
+    const Index v = candidate.Vertex;
+    for (Index n : this->TheConnectivity.NeighborsOfVertex[v])
+    {
+      if (this->Crosses(v, n))
+      {
+        candidate.Across.push_back(n);
+        candidate.Distance = std::min(candidate.Distance, this->DistanceToRidge(v, n));
+      }
+    }
   }
 
   std::vector<Index> LabelFaces() const

@@ -201,10 +201,13 @@ private:
   {
     Placement placement(
       this->Work, this->TheConnectivity, labelling, this->Scales, ridge.FaceLabels);
-    for (Index v : Flagged(this->Region))
-    {
-      placement.Place(v);
-    }
+    const std::vector<Index> damaged = Flagged(this->Region);
+    ParallelFor(static_cast<Index>(damaged.size()),
+      [&](Index begin, Index end)
+      {
+        std::for_each(
+          damaged.begin() + begin, damaged.begin() + end, [&](Index v) { placement.Place(v); });
+      });
     for (const Apex& apex : apexes)
     {
       for (Index v : apex.Members)

@@ -56,12 +56,11 @@ public:
     const Vec3& x = mesh.Points[vertex];
     const std::vector<Index>& near = this->Near.Gather(
       mesh.Points, this->TheConnectivity, vertex, x, Radius * this->Scales[vertex]);
-    const Vec3 normal = this->MeanNormal(near);
-    if (near.size() < LeastPoints || this->TurnFrom(normal, near) > EdgeTurn)
+    if (near.size() < LeastPoints || this->TurnAround(near) > EdgeTurn)
     {
       return {};
     }
-    const TangentFrame frame(x, normal.normalized(), this->Scales[vertex]);
+    const TangentFrame frame(x, this->MeanNormal.normalized(), this->Scales[vertex]);
     HeightField field;
     for (Index v : near)
     {
@@ -103,24 +102,21 @@ private:
     return sum;
   }
 
-  Vec3 MeanNormal(const std::vector<Index>& vertices) const
+  /// Sets the mean normal. The largest angle of a vertex's normal with it, in degrees.
+  double TurnAround(const std::vector<Index>& vertices)
   {
-    Vec3 sum = Vec3::Zero();
+    this->Normals.clear();
+    this->MeanNormal = Vec3::Zero();
     for (Index v : vertices)
     {
-      sum += this->NormalSum(v);
+      this->Normals.push_back(this->NormalSum(v));
+      this->MeanNormal += this->Normals.back();
     }
-    return sum;
-  }
-
-  /// The largest angle of a vertex's normal with this one, in degrees.
-  double TurnFrom(const Vec3& normal, const std::vector<Index>& vertices) const
-  {
     double largest = 0.0;
-    for (Index v : vertices)
+    for (const Vec3& own : this->Normals)
     {
-      const Vec3 own = this->NormalSum(v);
-      largest = std::max(largest, std::atan2(own.cross(normal).norm(), own.dot(normal)));
+      largest = std::max(
+        largest, std::atan2(own.cross(this->MeanNormal).norm(), own.dot(this->MeanNormal)));
     }
     return largest * 180.0 / Pi;
   }
@@ -129,6 +125,8 @@ private:
   const Connectivity& TheConnectivity;
   const std::vector<double>& Scales;
   NearVertices Near;
+  std::vector<Vec3> Normals; // of the vertices near, and of all of them
+  Vec3 MeanNormal;
 };
 
 double Quantile(std::vector<double>& values, double share)

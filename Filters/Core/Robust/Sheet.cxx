@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace arris
 {
@@ -49,52 +50,79 @@ double FromCircle(double curvature, double u, double z)
 }
 }
 
+struct Sheet::Fitting
+{
+  explicit Fitting(const std::vector<SheetSample>& samples)
+    : Samples(samples)
+    , Weights(samples.size())
+    , Distances(samples.size())
+    , Order(samples.size())
+  {
+    this->ResetWeights();
+    for (const SheetSample& sample : samples)
+    {
+      this->HalfWeight += 0.5 * sample.Weight;
+    }
+  }
+
+  void ResetWeights()
+  {
+    for (std::size_t i = 0; i < this->Samples.size(); ++i)
+    {
+      this->Weights[i] = this->Samples[i].Weight;
+    }
+  }
+
+  const std::vector<SheetSample>& Samples;
+  std::vector<double> Weights;
+  std::vector<double> Distances; ///< from the sheet as it was last measured
+  std::vector<std::pair<double, std::size_t>> Order; ///< residuals and whose they are
+  double HalfWeight = 0.0; ///< of all samples as they came
+};
+
 Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, const SheetCaution& caution)
   : Scale(scale)
 {
-  std::vector<double> weights(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    weights[i] = samples[i].Weight;
-  }
+  Fitting fitting(samples);
   for (int step = 0; step < PlaneSteps; ++step)
   {
-    this->FitPlane(samples, weights);
+    this->FitPlane(fitting);
+    this->MeasureDistances(fitting);
     if (step + 1 < PlaneSteps)
     {
-      this->Reweight(samples, weights);
+      this->Reweight(fitting);
     }
   }
-  const double flat = this->Residual(samples, weights);
+  const double flat = this->Residual(fitting);
   if (samples.size() < LeastCurvedSamples || flat < caution.FlatResidual)
   {
     return;
   }
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    weights[i] = samples[i].Weight; // what a plane took for outliers may lie on the torus
-  }
+  fitting.ResetWeights(); // what a plane took for outliers may lie on the torus
   const Sheet plane = *this;
   for (int step = 0; step < CurvedSteps; ++step)
   {
-    if (!this->Bend(samples, weights, caution.Ridge))
+    if (!this->Bend(fitting, caution.Ridge))
     {
       *this = plane;
       return;
     }
+    this->MeasureDistances(fitting);
     if (step > 0 && step <= CurvedReweights)
     {
-      this->Reweight(samples, weights);
+      this->Reweight(fitting);
     }
   }
-  if (flat < caution.CurvedGain * this->Residual(samples, weights))
+  if (flat < caution.CurvedGain * this->Residual(fitting))
   {
     *this = plane;
   }
 }
 
-void Sheet::FitPlane(const std::vector<SheetSample>& samples, std::vector<double>& weights)
+void Sheet::FitPlane(Fitting& fitting)
 {
+  const std::vector<SheetSample>& samples = fitting.Samples;
+  const std::vector<double>& weights = fitting.Weights;
   double sum = 0.0;
   Vec3 mean = Vec3::Zero();
   Vec3 outward = Vec3::Zero();
@@ -129,18 +157,26 @@ void Sheet::FitPlane(const std::vector<SheetSample>& samples, std::vector<double
   this->Origin = mean;
 }
 
-bool Sheet::Bend(
-  const std::vector<SheetSample>& samples, const std::vector<double>& weights, double ridge)
+bool Sheet::Bend(Fitting& fitting, double ridge)
 {
-  Mat6 a = Mat6::Zero();
+  const std::vector<SheetSample>& samples = fitting.Samples;
+  const std::vector<double>& weights = fitting.Weights;
+  Mat6 a = Mat6::Zero(); // its lower half, which is all that the solver reads
   Vec6 b = Vec6::Zero();
   double sum = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     const Vec3 d = (samples[i].Position - this->Origin) / this->Scale;
     const Vec6 basis = Basis(d.dot(this->U), d.dot(this->W));
-    a += weights[i] * basis * basis.transpose();
-    b += weights[i] * this->Distance(samples[i].Position) / this->Scale * basis;
+    const Vec6 weighted = weights[i] * basis;
+    for (int column = 0; column < 6; ++column)
+    {
+      for (int row = column; row < 6; ++row)
+      {
+        a(row, column) += weighted[row] * basis[column];
+      }
+    }
+    b += weights[i] * fitting.Distances[i] / this->Scale * basis;
     sum += weights[i];
   }
   for (int k = 0; k < 6; ++k)
@@ -168,62 +204,62 @@ bool Sheet::Bend(
   return true;
 }
 
-double Sheet::Residual(
-  const std::vector<SheetSample>& samples, const std::vector<double>& weights) const
+void Sheet::MeasureDistances(Fitting& fitting) const
+{
+  for (std::size_t i = 0; i < fitting.Samples.size(); ++i)
+  {
+    fitting.Distances[i] = this->Distance(fitting.Samples[i].Position);
+  }
+}
+
+double Sheet::Residual(const Fitting& fitting) const
 {
   double sum = 0.0, squares = 0.0;
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  for (std::size_t i = 0; i < fitting.Samples.size(); ++i)
   {
-    const double r = this->Distance(samples[i].Position) / this->Scale;
-    sum += weights[i];
-    squares += weights[i] * r * r;
+    const double r = fitting.Distances[i] / this->Scale;
+    sum += fitting.Weights[i];
+    squares += fitting.Weights[i] * r * r;
   }
   return sum > 0.0 ? std::sqrt(squares / sum) : 0.0;
 }
 
-void Sheet::Reweight(const std::vector<SheetSample>& samples, std::vector<double>& weights) const
+void Sheet::Reweight(Fitting& fitting) const
 {
-  std::vector<double> residuals(samples.size());
+  const std::vector<SheetSample>& samples = fitting.Samples;
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    residuals[i] = std::abs(this->Distance(samples[i].Position)) / this->Scale;
+    fitting.Order[i] = { std::abs(fitting.Distances[i]) / this->Scale, i };
   }
   // The median by weight, as the samples that matter are the ones near.
-  std::vector<std::size_t> order(samples.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    order[i] = i;
-  }
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t i, std::size_t j)
-    { return residuals[i] != residuals[j] ? residuals[i] < residuals[j] : i < j; });
-  double half = 0.0;
-  for (const SheetSample& sample : samples)
-  {
-    half += 0.5 * sample.Weight;
-  }
+  std::sort(fitting.Order.begin(), fitting.Order.end());
+  double half = fitting.HalfWeight;
   double median = 0.0;
-  for (std::size_t i : order)
+  for (const auto& [residual, i] : fitting.Order)
   {
     half -= samples[i].Weight;
     if (half <= 0.0)
     {
-      median = residuals[i];
+      median = residual;
       break;
     }
   }
   const double cut = TukeyCut * std::max(1.4826 * median, LeastDeviation);
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  for (const auto& [residual, i] : fitting.Order)
   {
-    const double x = residuals[i] / cut;
+    const double x = residual / cut;
     const double keep = x < 1.0 ? (1.0 - x * x) * (1.0 - x * x) : 0.0;
-    weights[i] = samples[i].Weight * keep;
+    fitting.Weights[i] = samples[i].Weight * keep;
   }
 }
 
 double Sheet::Distance(const Vec3& point) const
 {
   const Vec3 d = (point - this->Origin) / this->Scale;
+  if (this->BendingU == 0.0 && this->BendingW == 0.0)
+  {
+    return this->Scale * d.dot(this->N); // to the bit what follows would give
+  }
   const double height = FromCircle(this->BendingW, d.dot(this->W), d.dot(this->N));
   return this->Scale * FromCircle(this->BendingU, d.dot(this->U), height);
 }

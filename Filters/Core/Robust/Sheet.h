@@ -53,12 +53,12 @@ public:
   Vec3 Normal(const Vec3& point) const;
 
 private:
-  void FitPlane(const std::vector<SheetSample>& samples, std::vector<double>& weights);
-  bool Bend(
-    const std::vector<SheetSample>& samples, const std::vector<double>& weights, double ridge);
-  double Residual(
-    const std::vector<SheetSample>& samples, const std::vector<double>& weights) const;
-  void Reweight(const std::vector<SheetSample>& samples, std::vector<double>& weights) const;
+  struct Fitting; // the samples, how much each counts by now, and how far off the sheet it is
+  void FitPlane(Fitting& fitting);
+  bool Bend(Fitting& fitting, double ridge);
+  void MeasureDistances(Fitting& fitting) const;
+  double Residual(const Fitting& fitting) const;
+  void Reweight(Fitting& fitting) const;
 
   Vec3 Origin = Vec3::Zero();
   Vec3 U = Vec3::UnitX();
