@@ -50,6 +50,7 @@ set(sources
   Filters/Core/Fits/Refine.cxx
   Filters/Core/Robust/Account.cxx
   Filters/Core/Robust/Apexes.cxx
+  Filters/Core/Robust/Creases.cxx
   Filters/Core/Robust/Denoised.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/Labels.cxx
@@ -68,6 +69,7 @@ set(sources
   Filters/Core/Robust/Roughness.cxx
   Filters/Core/Robust/Sheet.cxx
   Filters/Core/Robust/Sides.cxx
+  Filters/Core/Robust/Straighten.cxx
   Filters/Core/Robust/ThinFaces.cxx
   Filters/Core/Robust/Turn.cxx
   Filters/Core/Robust/Unexplained.cxx

@@ -57,6 +57,10 @@ Outcome OutcomeOf(Index v, const Vec3& input, const Vec3& wanted, const Placemen
   {
     return now != wanted ? Outcome::HeldBack : (now != input ? Outcome::Smoothed : Outcome::Intact);
   }
+  if (placement.IsGivenBack(v))
+  {
+    return Outcome::HeldBack;
+  }
   if (placement.IsTooFar(v))
   {
     return Outcome::TooFar;

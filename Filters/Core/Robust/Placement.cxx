@@ -31,6 +31,7 @@ Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const L
   , Sheets(labelling.Sides.size())
   , Pinned(labelling.Sides.size(), 0)
   , TooFar(labelling.Sides.size(), 0)
+  , GivenBack(labelling.Sides.size(), 0)
 {
 }
 
@@ -97,6 +98,7 @@ void Placement::Place(Index vertex)
   const Vec3& x = this->TheMesh.Points[vertex];
   this->Points[vertex] = x;
   this->TooFar[this->TheLabelling.SidesOf[vertex]] = 0;
+  this->GivenBack[this->TheLabelling.SidesOf[vertex]] = 0;
   if (!sheets.empty())
   {
     const Vec3 point = MeetSheets(x, sheets);
@@ -113,12 +115,15 @@ void Placement::Place(Index vertex)
   }
 }
 
+bool Placement::IsWithinReach(Index vertex, const Vec3& point) const
+{
+  return (point - this->TheMesh.Points[vertex]).norm() <= LongestMove * this->Scales[vertex];
+}
+
 Vec3 Placement::Held(Index vertex, const Vec3& target) const
 {
   const Vec3 point = MeetSheets(target, this->SheetsOf(vertex));
-  return (point - this->TheMesh.Points[vertex]).norm() <= LongestMove * this->Scales[vertex]
-    ? point
-    : this->Points[vertex];
+  return this->IsWithinReach(vertex, point) ? point : this->Points[vertex];
 }
 
 double Placement::Quality(Index t) const

@@ -26,7 +26,13 @@ public:
   bool IsLost(Index vertex) const
   {
     const Index damaged = this->TheLabelling.SidesOf[vertex];
-    return this->Sheets[damaged].empty() && !this->Pinned[damaged];
+    return this->Sheets[damaged].empty() && !this->Pinned[damaged] && !this->GivenBack[damaged];
+  }
+
+  /// Whether a damaged vertex was put back where it came from.
+  bool IsGivenBack(Index vertex) const
+  {
+    return this->GivenBack[this->TheLabelling.SidesOf[vertex]] != 0;
   }
 
   bool IsDamaged(Index vertex) const { return this->TheLabelling.SidesOf[vertex] != NoIndex; }
@@ -45,6 +51,24 @@ public:
 
   /// Finds the sheets of a damaged vertex from the labels around it, and puts it on them.
   void Place(Index vertex);
+
+  /// Whether a damaged vertex is held at a tip.
+  bool IsPinned(Index vertex) const
+  {
+    return this->Pinned[this->TheLabelling.SidesOf[vertex]] != 0;
+  }
+
+  /// Whether sampling can have taken a vertex away from this point.
+  bool IsWithinReach(Index vertex, const Vec3& point) const;
+
+  /// Puts a damaged vertex at a point of these sheets; with none it is given back.
+  void Put(Index vertex, const Vec3& point, std::vector<const Sheet*> sheets)
+  {
+    const Index damaged = this->TheLabelling.SidesOf[vertex];
+    this->Points[vertex] = point;
+    this->GivenBack[damaged] = sheets.empty() ? 1 : 0;
+    this->Sheets[damaged] = std::move(sheets);
+  }
 
   /// Puts a damaged vertex where it stays, whatever is placed afterwards: at a tip.
   void Pin(Index vertex, const Vec3& point);
@@ -71,6 +95,7 @@ private:
   std::vector<std::vector<const Sheet*>> Sheets;
   Flags Pinned; // of the damaged vertices, as Sheets
   Flags TooFar; // the same
+  Flags GivenBack; // the same
 };
 }
 

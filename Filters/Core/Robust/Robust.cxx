@@ -12,6 +12,7 @@
 #include "Placement.h"
 #include "Retreat.h"
 #include "Ridge.h"
+#include "Straighten.h"
 #include "ThinFaces.h"
 #include "Untangle.h"
 
@@ -216,6 +217,7 @@ private:
       }
     }
     Untangle(this->Work, this->TheConnectivity, this->Scales, placement);
+    Straighten(this->Work, this->TheConnectivity, labelling, this->Input.Points, placement);
     if (this->IsRough() && !this->Parameters.Denoise)
     {
       this->PutIntactBack(placement);

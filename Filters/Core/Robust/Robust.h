@@ -16,7 +16,8 @@
 ///  6. LocalSolid, Labels: which face a vertex lies on, as faces cut and join each other.
 ///  7. Ridge: the fewest vertices that separate the faces; these are the skeleton.
 ///  8. Placement, MeetSheets: each vertex put on the faces around it.
-///  9. Untangle, Retreat: folded triangles mended, what cannot be mended given back.
+///  9. Untangle, Straighten, Retreat: folded triangles mended, notches straightened, what cannot be
+///     mended given back.
 
 #ifndef arris_Robust_Robust_h
 #define arris_Robust_Robust_h
