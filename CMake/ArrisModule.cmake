@@ -3,6 +3,7 @@
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 
 set(classes
+  Filters/vtkAssemblyAlgorithm
   Filters/vtkSharpEdgeExtractor
   Filters/vtkSharpEdgePreview
   Filters/vtkSharpEdgeReconstruction
@@ -29,6 +30,12 @@ set(sources
   Filters/Core/Thinning.cxx
   Filters/Core/TriangleCrossing.cxx
   Filters/Core/Ussod.cxx
+  Filters/Core/Assembly/Assembly.cxx
+  Filters/Core/Assembly/CoincidentPoints.cxx
+  Filters/Core/Assembly/Fans.cxx
+  Filters/Core/Assembly/Orientation.cxx
+  Filters/Core/Assembly/PatchesApart.cxx
+  Filters/Core/Assembly/Welding.cxx
   Filters/Core/Features/CurveProperties.cxx
   Filters/Core/Features/FeatureCorners.cxx
   Filters/Core/Features/FeatureEdges.cxx
@@ -51,6 +58,7 @@ set(sources
   Filters/Core/Robust/Apexes.cxx
   Filters/Core/Robust/Denoised.cxx
   Filters/Core/Robust/Faces.cxx
+  Filters/Core/Robust/Junctions.cxx
   Filters/Core/Robust/Labels.cxx
   Filters/Core/Robust/Labelling.cxx
   Filters/Core/Robust/LocalSolid.cxx
@@ -72,10 +80,12 @@ set(sources
   Filters/Core/Robust/Unexplained.cxx
   Filters/Core/Robust/Untangle.cxx
   Filters/Support/Arrays.cxx
+  Filters/Support/Blocks.cxx
   Filters/Support/Classification.cxx
   Filters/Support/FaceTable.cxx
   Filters/Support/FeatureOutputs.cxx
   Filters/Support/PaperMethod.cxx
+  Filters/Support/PatchIds.cxx
   Filters/Support/PickedPoints.cxx
   Filters/Support/PointMerging.cxx
   Filters/Support/Polylines.cxx

@@ -28,8 +28,8 @@ vtkSharpeningFilter::vtkSharpeningFilter()
 }
 
 //------------------------------------------------------------------------------
-int vtkSharpeningFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkSharpeningFilter::RequestMesh(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
@@ -44,7 +44,7 @@ int vtkSharpeningFilter::RequestData(
   const std::string problem = arris::FirstProblem(
     { arris::ProblemWithWindow(this->Window, this->WindowRatio),
       arris::ReadThinningRounds(this->GetInputArrayToProcess(0, inputVector), input, rounds) },
-    [&] { return arris::ReadSurface(input, output, surface); });
+    [&] { return this->ReadAssembly(input, output, surface); });
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
@@ -56,7 +56,7 @@ int vtkSharpeningFilter::RequestData(
   const double lambda = this->Window > 0.0
     ? this->Window
     : arris::FieldValue(input, arris::array::Lambda, this->WindowRatio * surface.AverageEdgeLength);
-  const std::vector<arris::Vec3> points = arris::SharpenedPoints(mesh, surface.Adjacency, rounds,
+  std::vector<arris::Vec3> points = arris::SharpenedPoints(mesh, surface.Adjacency, rounds,
     arris::TraceSkeleton(mesh, surface.Adjacency, rounds), lambda, surface.AverageEdgeLength,
     arris::MonitorOf(this));
   if (points.size() != mesh.Points.size())
@@ -64,6 +64,7 @@ int vtkSharpeningFilter::RequestData(
     output->Initialize(); // aborted
     return 1;
   }
+  arris::ShareAmongCommon(surface, points);
   arris::ReplacePoints(output, mesh.Points, points);
   arris::AddDisplacement(output, mesh.Points);
   arris::AddFieldValue(output, arris::array::SharpeningSeconds, watch.Seconds());

@@ -43,12 +43,14 @@ bool RecoverByPaper(vtkPolyData* input, const Surface& surface,
   AddFieldValue(output, array::ThinningSeconds, thinning.Seconds());
 
   const StopWatch sharpening;
-  const std::vector<Vec3> points = SharpenedPoints(mesh, connectivity, rounds, skeleton,
+  std::vector<Vec3> points = SharpenedPoints(mesh, connectivity, rounds, skeleton,
     parameters.WindowRadius, surface.AverageEdgeLength, monitor.Part(Thinned, 1.0));
   if (points.size() != mesh.Points.size())
   {
     return false;
   }
+  ShareAmongCommon(surface, output);
+  ShareAmongCommon(surface, points);
   ReplacePoints(output, mesh.Points, points);
   AddDisplacement(output, mesh.Points);
   AddFieldValue(output, array::SharpeningSeconds, sharpening.Seconds());

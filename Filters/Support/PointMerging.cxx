@@ -3,12 +3,8 @@
 
 #include "PointMerging.h"
 
+#include "Core/Assembly/CoincidentPoints.h"
 #include "Core/Geometry.h"
-
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStaticPointLocator.h>
 
 #include <algorithm>
 
@@ -36,38 +32,6 @@ std::vector<Index> OpenVertices(const Surface& surface)
   open.erase(std::unique(open.begin(), open.end()), open.end());
   return open;
 }
-
-/// For each of some vertices the lowest one of those it is merged with.
-std::vector<Index> MergedWith(
-  const std::vector<Vec3>& points, const std::vector<Index>& vertices, double distance)
-{
-  const auto count = static_cast<vtkIdType>(vertices.size());
-  vtkNew<vtkPoints> positions;
-  positions->SetDataTypeToDouble();
-  positions->SetNumberOfPoints(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    positions->SetPoint(i, points[vertices[i]].data());
-  }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(positions);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(cloud);
-  locator->BuildLocator();
-  std::vector<vtkIdType> group(vertices.size());
-  locator->MergePoints(distance, group.data());
-
-  // The locator's choice for a group may depend on threads; its lowest vertex does not.
-  std::vector<Index> lowest(vertices.size(), NoIndex);
-  std::vector<Index> merged(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    Index& low = lowest[group[i]];
-    low = low == NoIndex ? vertices[i] : low;
-    merged[i] = low;
-  }
-  return merged;
-}
 }
 
 void MergeOpenPoints(double tolerance, Surface& surface)
@@ -78,7 +42,7 @@ void MergeOpenPoints(double tolerance, Surface& surface)
     return;
   }
   Mesh& mesh = surface.Triangulation;
-  const std::vector<Index> merged = MergedWith(mesh.Points, open, tolerance * Diagonal(mesh));
+  const std::vector<Index> merged = LowestCoincident(mesh.Points, open, tolerance * Diagonal(mesh));
   if (merged == open)
   {
     return;

@@ -15,7 +15,7 @@ bool RecoverByRobust(const Surface& surface, const RobustParameters& parameters,
   const Monitor& monitor, vtkPolyData* output)
 {
   const Mesh& mesh = surface.Triangulation;
-  const RobustResult result =
+  RobustResult result =
     RecoverRobustly(mesh, surface.Adjacency, surface.AverageEdgeLength, parameters, monitor);
   if (result.Points.size() != mesh.Points.size())
   {
@@ -33,6 +33,8 @@ bool RecoverByRobust(const Surface& surface, const RobustParameters& parameters,
   AddFieldValue(output, array::ClassificationSeconds, result.ClassificationSeconds);
   AddFieldValue(output, array::ThinningSeconds, result.ThinningSeconds);
   AddFieldValue(output, array::SharpeningSeconds, result.SharpeningSeconds);
+  ShareAmongCommon(surface, output);
+  ShareAmongCommon(surface, result.Points);
   ReplacePoints(output, mesh.Points, result.Points);
   AddDisplacement(output, mesh.Points);
   return true;

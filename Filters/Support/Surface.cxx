@@ -3,7 +3,10 @@
 
 #include "Surface.h"
 
+#include "Core/Geometry.h"
 #include "Core/Parallel.h"
+#include "Support/Arrays.h"
+#include "Support/PatchIds.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -200,7 +203,7 @@ void FillMesh(vtkPolyData* output, Surface& surface)
 }
 }
 
-std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surface)
+std::string CutIntoTriangles(vtkPolyData* input, vtkPolyData* output)
 {
   std::string problem = ProblemWith(input);
   if (problem.empty())
@@ -217,12 +220,73 @@ std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surfac
   if (!problem.empty())
   {
     output->Initialize();
+  }
+  return problem;
+}
+
+std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surface)
+{
+  std::string problem = CutIntoTriangles(input, output);
+  if (problem.empty())
+  {
+    FillMesh(output, surface);
+    surface.Adjacency = Connectivity(surface.Triangulation);
+    surface.AverageEdgeLength = AverageEdgeLength(surface.Triangulation, surface.Adjacency);
+  }
+  return problem;
+}
+
+std::string AssembleSurface(
+  vtkPolyData* output, const AssemblyParameters& parameters, Surface& surface)
+{
+  std::vector<Index> ids;
+  std::string problem = ReadPatchIds(output, parameters.PatchArray, surface.Cells, ids);
+  if (!problem.empty())
+  {
     return problem;
   }
-  FillMesh(output, surface);
-  surface.Adjacency = Connectivity(surface.Triangulation);
-  surface.AverageEdgeLength = AverageEdgeLength(surface.Triangulation, surface.Adjacency);
+  Mesh& mesh = surface.Triangulation;
+  Assembly assembly = MakeAssembly(
+    mesh, surface.Adjacency, std::move(ids), parameters.MergeTolerance * Diagonal(mesh));
+  if (!assembly.Kept.empty())
+  {
+    for (std::size_t t = 0; t < assembly.Kept.size(); ++t)
+    {
+      surface.Cells[t] = surface.Cells[assembly.Kept[t]];
+    }
+    surface.Cells.resize(assembly.Kept.size());
+    surface.AverageEdgeLength = AverageEdgeLength(mesh, surface.Adjacency);
+  }
+  surface.AssembledBy = parameters;
+  surface.SameAs = std::move(assembly.SameAs);
+  surface.Facts = assembly.Facts;
   return {};
+}
+
+void ShareAmongCommon(const Surface& surface, std::vector<Vec3>& points)
+{
+  for (std::size_t v = 0; v < surface.SameAs.size(); ++v)
+  {
+    points[v] = points[surface.SameAs[v]];
+  }
+}
+
+void ShareAmongCommon(const Surface& surface, vtkPolyData* output)
+{
+  for (const char* name : { array::Ussod, array::NormalDeviation, array::SharpRegion,
+         array::ThinningRound, array::SkeletonRole, array::Window, array::EdgeAngle,
+         array::Outcome })
+  {
+    vtkDataArray* values = output->GetPointData()->GetArray(name);
+    for (std::size_t v = 0; values != nullptr && v < surface.SameAs.size(); ++v)
+    {
+      const auto own = static_cast<vtkIdType>(v);
+      if (surface.SameAs[v] != own)
+      {
+        values->SetTuple(own, surface.SameAs[v], values);
+      }
+    }
+  }
 }
 
 void ReplacePoints(

@@ -13,7 +13,9 @@
 namespace arris
 {
 /// The point nearest to `start` that lies on all the sheets, or as near to all of them as can be.
-Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets);
+/// Sheets that have a curve in common, however many they are, leave its direction free: `most` tells
+/// how many directions they determine at most.
+Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets, int most = 3);
 }
 
 #endif

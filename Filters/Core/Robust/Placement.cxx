@@ -31,17 +31,13 @@ Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const L
   , Sheets(labelling.Sides.size())
   , Pinned(labelling.Sides.size(), 0)
   , TooFar(labelling.Sides.size(), 0)
+  , OnCurve(labelling.Sides.size(), 0)
 {
 }
 
-void Placement::CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) const
+std::vector<Placement::Meeting> Placement::MeetingsAt(Index vertex) const
 {
-  struct Meeting
-  {
-    double Distance;
-    Index Label;
-    const Sheet* Surface;
-  };
+  const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
   std::vector<Meeting> meetings;
   for (Index t : this->TheConnectivity.TrianglesOfVertex[vertex])
   {
@@ -56,26 +52,55 @@ void Placement::CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) c
     {
       const Side* side =
         FindSide(this->TheLabelling.Sides[this->TheLabelling.SidesOf[vertex]], label);
-      meetings.push_back({ side ? side->Distance : 1e30, label, sheet });
+      meetings.push_back(
+        { side ? side->Distance : 1e30, label, patchOf.empty() ? 0 : patchOf[t], sheet });
     }
   }
   std::sort(meetings.begin(), meetings.end(),
     [](const Meeting& a, const Meeting& b)
     { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Label < b.Label; });
-  // Of faces with like normals the nearest speaks for all.
+  return meetings;
+}
+
+void Placement::CollectSheets(Index vertex)
+{
+  const std::vector<Meeting> meetings = this->MeetingsAt(vertex);
+  // Of faces with like normals the nearest speaks for all; patches may look either way.
   const double like = std::cos(LeastCrossingAngle * Pi / 180.0);
   const Vec3& x = this->TheMesh.Points[vertex];
-  sheets.clear();
+  std::vector<const Meeting*> kept;
   for (const Meeting& meeting : meetings)
   {
     const Vec3 normal = meeting.Surface->Normal(x);
-    const bool spokenFor = std::any_of(sheets.begin(), sheets.end(),
-      [&](const Sheet* sheet) { return sheet->Normal(x).dot(normal) > like; });
+    const bool spokenFor = std::any_of(kept.begin(), kept.end(),
+      [&](const Meeting* other)
+      {
+        const double cosine = other->Surface->Normal(x).dot(normal);
+        return (other->Patch == meeting.Patch ? cosine : std::abs(cosine)) > like;
+      });
     if (!spokenFor)
     {
-      sheets.push_back(meeting.Surface);
+      kept.push_back(&meeting);
     }
   }
+  const Index damaged = this->TheLabelling.SidesOf[vertex];
+  std::vector<const Sheet*>& sheets = this->Sheets[damaged];
+  sheets.clear();
+  bool onePerPatch = true;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    sheets.push_back(kept[i]->Surface);
+    onePerPatch = onePerPatch && std::none_of(kept.begin(), kept.begin() + i, [&](const Meeting* m)
+                                   { return m->Patch == kept[i]->Patch; });
+  }
+  const bool insideJunction = !this->InsideJunctions.empty() && this->InsideJunctions[vertex];
+  this->OnCurve[damaged] = sheets.size() == 2 || (sheets.size() > 2 && insideJunction && onePerPatch);
+}
+
+Vec3 Placement::OnSheets(Index vertex, const Vec3& start) const
+{
+  const std::vector<const Sheet*>& sheets = this->SheetsOf(vertex);
+  return MeetSheets(start, sheets, sheets.size() > 2 && this->IsOnCurve(vertex) ? 2 : 3);
 }
 
 void Placement::Pin(Index vertex, const Vec3& point)
@@ -93,13 +118,13 @@ void Placement::Place(Index vertex)
     return;
   }
   std::vector<const Sheet*>& sheets = this->Sheets[this->TheLabelling.SidesOf[vertex]];
-  this->CollectSheets(vertex, sheets);
+  this->CollectSheets(vertex);
   const Vec3& x = this->TheMesh.Points[vertex];
   this->Points[vertex] = x;
   this->TooFar[this->TheLabelling.SidesOf[vertex]] = 0;
   if (!sheets.empty())
   {
-    const Vec3 point = MeetSheets(x, sheets);
+    const Vec3 point = this->OnSheets(vertex, x);
     const double move = (point - x).norm() / this->Scales[vertex];
     if (move > LongestMove)
     {
@@ -115,7 +140,7 @@ void Placement::Place(Index vertex)
 
 Vec3 Placement::Held(Index vertex, const Vec3& target) const
 {
-  const Vec3 point = MeetSheets(target, this->SheetsOf(vertex));
+  const Vec3 point = this->OnSheets(vertex, target);
   return (point - this->TheMesh.Points[vertex]).norm() <= LongestMove * this->Scales[vertex]
     ? point
     : this->Points[vertex];

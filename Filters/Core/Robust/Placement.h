@@ -37,6 +37,16 @@ public:
   Index LabelOf(Index triangle) const { return this->FaceLabels[triangle]; }
   void SetLabel(Index triangle, Index label) { this->FaceLabels[triangle] = label; }
 
+  /// Tells which vertices are inside the curves where patches of an assembly meet.
+  void SetJunctions(Flags insideJunctions) { this->InsideJunctions = std::move(insideJunctions); }
+
+  /// Whether a damaged vertex is held on a curve: where two faces meet, or any number of patches
+  /// with one face each.
+  bool IsOnCurve(Index vertex) const
+  {
+    return this->OnCurve[this->TheLabelling.SidesOf[vertex]] != 0;
+  }
+
   /// The sheets a damaged vertex is held on; empty where it is not held, and stays.
   const std::vector<const Sheet*>& SheetsOf(Index vertex) const
   {
@@ -60,7 +70,17 @@ public:
   std::vector<Vec3> TakePoints() { return std::move(this->Points); }
 
 private:
-  void CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) const;
+  struct Meeting
+  {
+    double Distance;
+    Index Label;
+    Index Patch; ///< of the assembly
+    const Sheet* Surface;
+  };
+
+  std::vector<Meeting> MeetingsAt(Index vertex) const;
+  void CollectSheets(Index vertex);
+  Vec3 OnSheets(Index vertex, const Vec3& start) const;
 
   const Mesh& TheMesh;
   const Connectivity& TheConnectivity;
@@ -71,6 +91,8 @@ private:
   std::vector<std::vector<const Sheet*>> Sheets;
   Flags Pinned; // of the damaged vertices, as Sheets
   Flags TooFar; // the same
+  Flags OnCurve; // the same
+  Flags InsideJunctions; // of all vertices; empty if there are none
 };
 }
 

@@ -136,7 +136,7 @@ private:
   void Slide(Index v)
   {
     const std::vector<const Sheet*>& sheets = this->ThePlacement.SheetsOf(v);
-    if (sheets.empty() || sheets.size() > 2 ||
+    if (sheets.empty() || (sheets.size() > 1 && !this->ThePlacement.IsOnCurve(v)) ||
       this->TheConnectivity.TrianglesOfVertex[v].size() > LargestFan)
     {
       return;
@@ -170,7 +170,7 @@ private:
     for (const double step : { 0.05, 0.15, 0.4, 0.8 })
     {
       const double length = step * this->Scales[v];
-      if (sheets.size() == 2)
+      if (sheets.size() > 1)
       {
         const Vec3 along = normal.cross(sheets[1]->Normal(start)).normalized();
         attempt(start + length * along);
@@ -258,7 +258,7 @@ private:
       for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
       {
         const Index label = this->ThePlacement.LabelOf(t);
-        if (label != NoIndex && label != own)
+        if (label != NoIndex && label != own && this->AreOnePatch(t, bad))
         {
           labels.push_back(label);
         }
@@ -297,6 +297,13 @@ private:
       this->Apply(*bestGroup, bestLabel, vertices);
       this->Touched.insert(this->Touched.end(), vertices.begin(), vertices.end());
     }
+  }
+
+  /// Labels stay within a patch of an assembly.
+  bool AreOnePatch(Index a, Index b) const
+  {
+    const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
+    return patchOf.empty() || patchOf[a] == patchOf[b];
   }
 
   void Apply(const std::vector<Index>& group, Index label, const std::vector<Index>& vertices)
