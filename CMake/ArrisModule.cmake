@@ -17,6 +17,7 @@ set(sources
   Filters/Core/Curves.cxx
   Filters/Core/EdgeGraph.cxx
   Filters/Core/Flagged.cxx
+  Filters/Core/FreeBoundary.cxx
   Filters/Core/Geometry.cxx
   Filters/Core/Intersections.cxx
   Filters/Core/Mesh.cxx

@@ -31,6 +31,9 @@ public:
     this->B += weight * normal.dot(point - this->Center) * normal;
   }
 
+  /// The weights of all planes together.
+  double Weight() const { return this->C.trace(); }
+
   /// p_c + X for the X of least norm that solves CX = B, cut to `longest` (the paper: 4 L).
   /// Directions whose eigenvalue of C is under `SmallEigenvalue` times the largest are left free,
   /// as the singular value decomposition of the paper does.

@@ -32,6 +32,7 @@ Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const L
   , Pinned(labelling.Sides.size(), 0)
   , TooFar(labelling.Sides.size(), 0)
   , OnCurve(labelling.Sides.size(), 0)
+  , Walls(labelling.Sides.size())
 {
 }
 
@@ -100,7 +101,52 @@ void Placement::CollectSheets(Index vertex)
 Vec3 Placement::OnSheets(Index vertex, const Vec3& start) const
 {
   const std::vector<const Sheet*>& sheets = this->SheetsOf(vertex);
+  if (const Sheet* wall = this->Walls[this->TheLabelling.SidesOf[vertex]].get())
+  {
+    std::vector<const Sheet*> all = sheets;
+    all.push_back(wall);
+    return MeetSheets(start, all);
+  }
   return MeetSheets(start, sheets, sheets.size() > 2 && this->IsOnCurve(vertex) ? 2 : 3);
+}
+
+void Placement::SetWalls(const std::vector<Wall>& walls)
+{
+  for (std::size_t v = 0; v < walls.size(); ++v)
+  {
+    const Index damaged = this->TheLabelling.SidesOf[v];
+    if (damaged == NoIndex)
+    {
+      continue;
+    }
+    const Vec3& x = this->TheMesh.Points[v];
+    if (walls[v].Fixed)
+    {
+      this->Pin(static_cast<Index>(v), x);
+    }
+    else if (!walls[v].Normal.isZero(0.0))
+    {
+      this->Walls[damaged] = std::make_unique<Sheet>(x, walls[v].Normal);
+    }
+  }
+}
+
+int Placement::Freedom(Index vertex, Vec3& along) const
+{
+  const std::vector<const Sheet*>& sheets = this->SheetsOf(vertex);
+  const Sheet* wall = this->Walls[this->TheLabelling.SidesOf[vertex]].get();
+  if (sheets.empty() || (sheets.size() > 1 && (wall || !this->IsOnCurve(vertex))))
+  {
+    return 0;
+  }
+  const Sheet* second = sheets.size() > 1 ? sheets[1] : wall;
+  if (second == nullptr)
+  {
+    return 2;
+  }
+  const Vec3& point = this->PointOf(vertex);
+  along = sheets[0]->Normal(point).cross(second->Normal(point)).normalized();
+  return 1;
 }
 
 void Placement::Pin(Index vertex, const Vec3& point)

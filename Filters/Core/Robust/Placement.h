@@ -8,7 +8,10 @@
 #ifndef arris_Robust_Placement_h
 #define arris_Robust_Placement_h
 
+#include "Core/FreeBoundary.h"
 #include "Ridge.h"
+
+#include <memory>
 
 namespace arris
 {
@@ -39,6 +42,13 @@ public:
 
   /// Tells which vertices are inside the curves where patches of an assembly meet.
   void SetJunctions(Flags insideJunctions) { this->InsideJunctions = std::move(insideJunctions); }
+
+  /// Keeps the damaged vertices on free boundaries (see FindWalls) in their walls.
+  void SetWalls(const std::vector<Wall>& walls);
+
+  /// In how many directions a damaged vertex can be slid while it is held: 2 on a face, 1 on a ridge
+  /// or on the boundary of a face, 0 in a corner. Where it is 1, `along` is its direction.
+  int Freedom(Index vertex, Vec3& along) const;
 
   /// Whether a damaged vertex is held on a curve: where two faces meet, or any number of patches
   /// with one face each.
@@ -92,6 +102,7 @@ private:
   Flags Pinned; // of the damaged vertices, as Sheets
   Flags TooFar; // the same
   Flags OnCurve; // the same
+  std::vector<std::unique_ptr<Sheet>> Walls; // the same; null where there is none
   Flags InsideJunctions; // of all vertices; empty if there are none
 };
 }

@@ -295,6 +295,7 @@ private:
     Placement placement(
       mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Scales, ridge.FaceLabels);
     placement.SetJunctions(InsideJunctions(mesh.Now, mesh.TheConnectivity));
+    placement.SetWalls(FindWalls(mesh.Before, mesh.TheConnectivity, mesh.Region, mesh.Scales));
     for (Index v : Flagged(mesh.Region))
     {
       placement.Place(v);

@@ -46,6 +46,9 @@ public:
   /// length. At least one sample.
   Sheet(const std::vector<SheetSample>& samples, double scale, const SheetCaution& caution);
 
+  /// A plane.
+  Sheet(const Vec3& point, const Vec3& unitNormal);
+
   /// Distance from the sheet, to first order; positive outside.
   double Distance(const Vec3& point) const;
 

@@ -136,8 +136,9 @@ private:
   void Slide(Index v)
   {
     const std::vector<const Sheet*>& sheets = this->ThePlacement.SheetsOf(v);
-    if (sheets.empty() || (sheets.size() > 1 && !this->ThePlacement.IsOnCurve(v)) ||
-      this->TheConnectivity.TrianglesOfVertex[v].size() > LargestFan)
+    Vec3 along = Vec3::Zero();
+    const int freedom = this->ThePlacement.Freedom(v, along);
+    if (freedom == 0 || this->TheConnectivity.TrianglesOfVertex[v].size() > LargestFan)
     {
       return;
     }
@@ -170,9 +171,8 @@ private:
     for (const double step : { 0.05, 0.15, 0.4, 0.8 })
     {
       const double length = step * this->Scales[v];
-      if (sheets.size() > 1)
+      if (freedom == 1)
       {
-        const Vec3 along = normal.cross(sheets[1]->Normal(start)).normalized();
         attempt(start + length * along);
         attempt(start - length * along);
         continue;

@@ -11,12 +11,13 @@ import numpy as np
 import nets
 import sampling
 import tets
+from collapse import without_short_edges
 from meshes import Locator, Mesh
 from primitives import box, cylinder, hull, sphere
 from truth import Truth, corners_of
 
 SAME = 1e-3  # cells: curves and surfaces nearer than this are one
-SURFACES_BETWEEN = {"contour": tets.interfaces, "nets": nets.interfaces}
+SHORT = 0.5  # cells: shorter edges of contours of tetrahedra are taken out
 SAMPLED_STRIP = 1.0  # cells: edges of the strip with one side
 
 
@@ -152,7 +153,10 @@ def _of_materials(everything, solids):
     def sampled(kind, resolution):
         inside = [-sampling.distances(truth, resolution, band=3) for truth in truths]
         inside[0] = -inside[0]
-        return SURFACES_BETWEEN[kind](inside, sampling.HALF, resolution)
+        if kind == "nets":
+            return nets.interfaces(inside, sampling.HALF, resolution)
+        mesh, ids = tets.interfaces(inside, sampling.HALF, resolution)
+        return without_short_edges(mesh, ids, SHORT * 2 * sampling.HALF / resolution)
 
     return Assembly(surface, np.vstack([points, faint_points]), sharp, faint + len(points),
                     sharp[touching >= 3], np.zeros((0, 2), dtype=int), sampled)

@@ -3,6 +3,7 @@
 
 import argparse
 import csv
+import hashlib
 import re
 import sys
 import tempfile
@@ -11,11 +12,12 @@ from pathlib import Path
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
+import cache
 import methods
 from assemblies import ASSEMBLIES
 from assembly_score import score
 from bed import ROOT
-from meshes import read_mesh, to_polydata, write_polydata
+from meshes import Mesh, read_mesh, to_polydata, write_polydata
 
 COLUMNS = {
     "recall": "recall %", "precision": "precision %", "false_length": "false, cells",
@@ -36,6 +38,8 @@ def main():
                         "(default: %(default)s)")
     parser.add_argument("--methods", default="input,paper,robust", help="default: %(default)s")
     parser.add_argument("--arris", type=Path, default=ROOT / "build/bin/arris")
+    parser.add_argument("--cache", type=Path, default=cache.default_folder(),
+                        help="where sampled meshes are kept (default: %(default)s)")
     parser.add_argument("--keep", type=Path, help="a folder for the meshes")
     parser.add_argument("--csv", help="writes every figure")
     options = parser.parse_args()
@@ -61,13 +65,28 @@ def measured(name, truth, sampling, options):
     """The rows of one assembly in one sampling."""
     kind, resolution = re.fullmatch("([a-z]+)([0-9]+)", sampling).groups()
     resolution = int(resolution)
-    before, ids = truth.sampled(kind, resolution)
+    before, ids = sampled(name, truth, kind, resolution, options.cache)
     rows = []
     for method in options.methods.split(","):
         after, seconds = recovered(before, ids, method, options, f"{name}-{sampling}")
         rows.append({"assembly": name, "sampling": sampling, "method": method,
                      **score(truth, before, after, 64 / resolution), "seconds": seconds})
     return rows
+
+
+def sampled(name, truth, kind, resolution, folder):
+    """The sampled mesh and its patch ids, kept in the folder."""
+    file = folder / "assemblies" / f"{name}-{kind}{resolution}.npz"
+    key = hashlib.sha256(truth.mesh.points.tobytes() + truth.points.tobytes()).hexdigest()
+    if file.exists():
+        kept = np.load(file)
+        if str(kept["key"]) == f"{cache.VERSION} {key}":
+            return Mesh(kept["points"], kept["tris"]), kept["ids"] if len(kept["ids"]) else None
+    mesh, ids = truth.sampled(kind, resolution)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    np.savez(file, points=mesh.points, tris=mesh.tris, ids=() if ids is None else ids,
+             key=f"{cache.VERSION} {key}")
+    return mesh, ids
 
 
 def recovered(before, ids, method, options, title):
