@@ -14,10 +14,10 @@
  *   structure: each block of a vtkMultiBlockDataSet and each vtkPartitionedDataSet is a patch (or
  *   more) unless all of them have the patch array. Blocks that are no vtkPolyData pass.
  *
- * An inner vertex of a patch sees that patch only, a common vertex all that hold it. Common vertices
- * come out at one position, to the last bit, and with the same values in all arrays. Patches are
- * wound one way round for the computation, and come out as they were. Triangles that coincide, as
- * those between two closed meshes that touch, count as one.
+ * An inner vertex of a patch sees that patch only, a common vertex all that hold it. Common
+ * vertices come out at one position, to the last bit, and with the same values in all arrays.
+ * Patches are wound one way round for the computation, and come out as they were. Triangles that
+ * coincide, as those between two closed meshes that touch, count as one.
  *
  * A closed mesh with neither patch array nor such edges is one patch.
  *
@@ -59,7 +59,8 @@ public:
   ///@{
   /// The cell array that tells the patches of an assembly: one whole number a cell, or two for the
   /// materials on its two sides, in any order. Default: `PatchId`, and if there is none,
-  /// `BoundaryLabels` of two components, as vtkSurfaceNets3D gives it. An empty name takes no array.
+  /// `BoundaryLabels` of two components, as vtkSurfaceNets3D gives it. An empty name takes no
+  /// array.
   vtkSetMacro(PatchArrayName, std::string);
   vtkGetMacro(PatchArrayName, std::string);
   ///@}
@@ -95,7 +96,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// Does the work on a vtkPolyData, which may be a composite data set put together.
-  virtual int RequestMesh(vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
+  virtual int RequestMesh(
+    vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
 
   /// Makes `output` what a filter hands on before it adds anything, and reads it as an assembly.
   /// What is wrong with it, or nothing.

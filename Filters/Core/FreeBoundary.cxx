@@ -157,8 +157,8 @@ private:
 };
 }
 
-std::vector<Wall> FindWalls(const Mesh& mesh, const Connectivity& connectivity,
-  const Flags& flags, const std::vector<double>& scales)
+std::vector<Wall> FindWalls(const Mesh& mesh, const Connectivity& connectivity, const Flags& flags,
+  const std::vector<double>& scales)
 {
   const BoundaryCurves curves(mesh, connectivity);
   if (curves.IsEmpty())

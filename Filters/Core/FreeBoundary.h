@@ -13,8 +13,8 @@
 
 namespace arris
 {
-/// The plane that a vertex on a free boundary has to stay in: the boundary is where the surface cuts
-/// it.
+/// The plane that a vertex on a free boundary has to stay in: the boundary is where the surface
+/// cuts it.
 struct Wall
 {
   Vec3 Normal = Vec3::Zero(); ///< unit; zero for a vertex that is not on a free boundary
@@ -25,8 +25,8 @@ struct Wall
 /// of one triangle).
 ///
 /// Where the boundary is plane for `Reach` scales both ways, and the surface crosses that plane, it
-/// is the wall: so an edge that runs into the boundary may sharpen its corner, and the boundary stays
-/// in the plane that cut it. Elsewhere the wall stands on the surface along the boundary.
+/// is the wall: so an edge that runs into the boundary may sharpen its corner, and the boundary
+/// stays in the plane that cut it. Elsewhere the wall stands on the surface along the boundary.
 ARRISFILTERS_EXPORT std::vector<Wall> FindWalls(const Mesh& mesh, const Connectivity& connectivity,
   const Flags& flags, const std::vector<double>& scales);
 }

@@ -57,8 +57,8 @@ public:
     Flags sharp(rounds.size());
     std::transform(this->Static.begin(), this->Static.end(), sharp.begin(),
       [](unsigned char isStatic) -> unsigned char { return isStatic ? 0 : 1; });
-    this->Walls = FindWalls(
-      mesh, connectivity, sharp, std::vector<double>(rounds.size(), averageEdgeLength));
+    this->Walls =
+      FindWalls(mesh, connectivity, sharp, std::vector<double>(rounds.size(), averageEdgeLength));
   }
 
   /// Predicts all vertices of the group from the static triangles, then moves them and makes them
@@ -173,7 +173,8 @@ private:
   /// What the predictor says, but on the free boundary if the vertex was there.
   Vec3 InWall(Index vertex, Predictor& predictor) const
   {
-    if (this->Walls.empty() || (this->Walls[vertex].Normal.isZero(0.0) && !this->Walls[vertex].Fixed))
+    if (this->Walls.empty() ||
+      (this->Walls[vertex].Normal.isZero(0.0) && !this->Walls[vertex].Fixed))
     {
       return predictor.Position(this->Longest);
     }

@@ -84,8 +84,8 @@ bool SpatialWindow::SharesPatch(Index vertex, Index triangle) const
   const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
   const IndexSpan around = this->TheConnectivity.TrianglesOfVertex[vertex];
   return patchOf.empty() ||
-    std::any_of(around.begin(), around.end(),
-      [&](Index own) { return patchOf[own] == patchOf[triangle]; });
+    std::any_of(
+      around.begin(), around.end(), [&](Index own) { return patchOf[own] == patchOf[triangle]; });
 }
 
 const std::vector<Index>& SpatialWindow::Gather(Index vertex, double radius)

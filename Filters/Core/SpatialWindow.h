@@ -35,9 +35,9 @@ private:
   vtkNew<vtkStaticCellLocator> Locator;
 };
 
-/// Gathers the triangles within a distance of a vertex, whether or not the surface connects them. In
-/// an assembly, those of the patches that hold the vertex.
-/// Keeps its working memory from one vertex to the next: use one object a thread.
+/// Gathers the triangles within a distance of a vertex, whether or not the surface connects them.
+/// In an assembly, those of the patches that hold the vertex. Keeps its working memory from one
+/// vertex to the next: use one object a thread.
 class ARRISFILTERS_EXPORT SpatialWindow
 {
 public:

@@ -250,8 +250,7 @@ void Blocks::PartOne(vtkPolyData* whole, const Block& from, vtkPolyData* mesh) c
   }
 }
 
-void Blocks::Part(
-  vtkCompositeDataSet* input, vtkPolyData* whole, vtkCompositeDataSet* output) const
+void Blocks::Part(vtkCompositeDataSet* input, vtkPolyData* whole, vtkCompositeDataSet* output) const
 {
   output->CopyStructure(input);
   output->GetFieldData()->ShallowCopy(input->GetFieldData());

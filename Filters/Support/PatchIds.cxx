@@ -34,8 +34,7 @@ vtkAbstractArray* FindArray(vtkPolyData* mesh, const std::string& name)
   return labels != nullptr && labels->GetNumberOfComponents() == 2 ? labels : nullptr;
 }
 
-std::string ProblemWithArray(
-  vtkAbstractArray* array, const std::string& title, vtkIdType cellCount)
+std::string ProblemWithArray(vtkAbstractArray* array, const std::string& title, vtkIdType cellCount)
 {
   if (vtkDataArray::SafeDownCast(array) == nullptr)
   {

@@ -23,10 +23,10 @@ constexpr const char* DefaultPatchArray = "PatchId";
 constexpr const char* BoundaryLabelsArray = "BoundaryLabels";
 
 /// Reads the cell array `name`: one whole number a cell, or two in any order. Cells of the same
-/// numbers get the same id, counted from 0; those with a negative or no number where there should be
-/// one patch number have one of their own. Leaves `ids` empty if there is no array, which is wrong
-/// only for another name than the default; an empty name reads none. `cells` tells which cell each
-/// triangle is. What is wrong with the array, or nothing.
+/// numbers get the same id, counted from 0; those with a negative or no number where there should
+/// be one patch number have one of their own. Leaves `ids` empty if there is no array, which is
+/// wrong only for another name than the default; an empty name reads none. `cells` tells which cell
+/// each triangle is. What is wrong with the array, or nothing.
 std::string ReadPatchIds(vtkPolyData* mesh, const std::string& name,
   const std::vector<vtkIdType>& cells, std::vector<Index>& ids);
 }

@@ -273,9 +273,9 @@ void ShareAmongCommon(const Surface& surface, std::vector<Vec3>& points)
 
 void ShareAmongCommon(const Surface& surface, vtkPolyData* output)
 {
-  for (const char* name : { array::Ussod, array::NormalDeviation, array::SharpRegion,
-         array::ThinningRound, array::SkeletonRole, array::Window, array::EdgeAngle,
-         array::Outcome })
+  for (const char* name :
+    { array::Ussod, array::NormalDeviation, array::SharpRegion, array::ThinningRound,
+      array::SkeletonRole, array::Window, array::EdgeAngle, array::Outcome })
   {
     vtkDataArray* values = output->GetPointData()->GetArray(name);
     for (std::size_t v = 0; values != nullptr && v < surface.SameAs.size(); ++v)

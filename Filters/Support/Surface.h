@@ -57,8 +57,8 @@ std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surfac
 /// wrong with the input, or nothing; then the output is empty.
 std::string CutIntoTriangles(vtkPolyData* input, vtkPolyData* output);
 
-/// Makes an assembly of a surface that ReadSurface has read (see MakeAssembly). What is wrong with the
-/// patch ids, or nothing.
+/// Makes an assembly of a surface that ReadSurface has read (see MakeAssembly). What is wrong with
+/// the patch ids, or nothing.
 std::string AssembleSurface(
   vtkPolyData* output, const AssemblyParameters& parameters, Surface& surface);
 

@@ -37,8 +37,7 @@ public:
     {
       const Vec3& p = points[vertices[i]];
       this->Entries.push_back(
-        { Key(this->CellOf(p, 0), this->CellOf(p, 1), this->CellOf(p, 2)),
-          static_cast<Index>(i) });
+        { Key(this->CellOf(p, 0), this->CellOf(p, 1), this->CellOf(p, 2)), static_cast<Index>(i) });
     }
     std::sort(this->Entries.begin(), this->Entries.end());
   }

@@ -134,8 +134,8 @@ private:
         const int edge = this->SameEdge(beyond, t, k);
         if (this->Uncut.AcrossEdge[beyond][edge] == t) // and no third
         {
-          const bool against = this->AreAgainst(t, k, beyond, edge) !=
-            (this->Turned[t] != this->Turned[beyond]);
+          const bool against =
+            this->AreAgainst(t, k, beyond, edge) != (this->Turned[t] != this->Turned[beyond]);
           votes[this->PatchOf[t]][this->PatchOf[beyond]] += against ? -1 : 1;
         }
       }

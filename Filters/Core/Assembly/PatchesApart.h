@@ -20,8 +20,8 @@ struct PatchesApart
   Mesh Parts;
   Connectivity Adjacency;
 
-  /// For each vertex of the parts the one of the whole. The first ones have the same numbers; behind
-  /// them follow those that common vertices are besides.
+  /// For each vertex of the parts the one of the whole. The first ones have the same numbers;
+  /// behind them follow those that common vertices are besides.
   std::vector<Index> WholeOf;
 
   /// 1 for the parts of common vertices.

@@ -55,8 +55,7 @@ std::vector<Index> WeldedVertices(const Mesh& mesh, const Connectivity& connecti
   Flags meets(mesh.Points.size(), 0); // by the lowest vertex of a position
   for (std::size_t i = 0; i < used.size(); ++i)
   {
-    const bool otherId =
-      IdAt(connectivity, ids, used[i]) != IdAt(connectivity, ids, lowest[i]);
+    const bool otherId = IdAt(connectivity, ids, used[i]) != IdAt(connectivity, ids, lowest[i]);
     meets[lowest[i]] |= static_cast<unsigned char>(open[used[i]] || otherId);
   }
   std::vector<Index> welded(mesh.Points.size());
@@ -71,8 +70,8 @@ std::vector<Index> WeldedVertices(const Mesh& mesh, const Connectivity& connecti
   return welded;
 }
 
-void WeldTriangles(const std::vector<Index>& welded, Mesh& mesh, std::vector<Index>& ids,
-  std::vector<Index>& kept)
+void WeldTriangles(
+  const std::vector<Index>& welded, Mesh& mesh, std::vector<Index>& ids, std::vector<Index>& kept)
 {
   // Triangles by their three vertices, ascending; those on the same three one after the other.
   std::vector<std::pair<Triangle, Index>> byVertices;

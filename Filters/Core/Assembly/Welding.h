@@ -22,8 +22,8 @@ std::vector<Index> WeldedVertices(const Mesh& mesh, const Connectivity& connecti
 /// of several on the same three vertices only the first stays, and the set of their ids is its new
 /// id (where two closed parts touch, their common face is there twice). `kept` tells which of the
 /// triangles are left, ascending.
-void WeldTriangles(const std::vector<Index>& welded, Mesh& mesh, std::vector<Index>& ids,
-  std::vector<Index>& kept);
+void WeldTriangles(
+  const std::vector<Index>& welded, Mesh& mesh, std::vector<Index>& ids, std::vector<Index>& kept);
 }
 
 #endif

@@ -31,7 +31,8 @@ struct Reached
 bool HasEdge(const Triangle& triangle, Index a, Index b)
 {
   return std::count(triangle.begin(), triangle.end(), a) +
-    std::count(triangle.begin(), triangle.end(), b) == 2;
+    std::count(triangle.begin(), triangle.end(), b) ==
+    2;
 }
 
 /// Whether an edge is one that parts patches, rather than inside one or on a free boundary.
@@ -86,8 +87,7 @@ void AddJunctions(const PatchesApart& apart, const std::vector<Vec3>& points,
   }
 }
 
-void BringTogether(
-  const PatchesApart& apart, std::size_t wholeCount, std::vector<Vec3>& points)
+void BringTogether(const PatchesApart& apart, std::size_t wholeCount, std::vector<Vec3>& points)
 {
   std::vector<int> parts(wholeCount, 1);
   for (std::size_t part = wholeCount; part < points.size(); ++part)
@@ -98,8 +98,8 @@ void BringTogether(
   for (std::size_t part = 0; part < points.size(); ++part)
   {
     const Index whole = apart.WholeOf[part];
-    points[part] = part < wholeCount && parts[whole] > 1 ? Vec3(points[part] / parts[whole])
-                                                         : points[whole];
+    points[part] =
+      part < wholeCount && parts[whole] > 1 ? Vec3(points[part] / parts[whole]) : points[whole];
   }
 }
 
@@ -140,8 +140,8 @@ Flags InsideJunctions(const Mesh& whole, const Connectivity& connectivity)
     if (connectivity.Common[v])
     {
       const IndexSpan neighbors = connectivity.NeighborsOfVertex[v];
-      inside[v] = std::count_if(neighbors.begin(), neighbors.end(), [&](Index n)
-                    { return PartsPatches(whole, connectivity, v, n); }) == 2;
+      inside[v] = std::count_if(neighbors.begin(), neighbors.end(),
+                    [&](Index n) { return PartsPatches(whole, connectivity, v, n); }) == 2;
     }
   }
   return inside;

@@ -18,8 +18,7 @@ void AddJunctions(const PatchesApart& apart, const std::vector<Vec3>& points,
   const std::vector<double>& scales, Flags& region);
 
 /// Moves the parts of each common vertex to their mean.
-void BringTogether(
-  const PatchesApart& apart, std::size_t wholeCount, std::vector<Vec3>& points);
+void BringTogether(const PatchesApart& apart, std::size_t wholeCount, std::vector<Vec3>& points);
 
 /// What was found out about the parts of each vertex of the whole, as one.
 Labelling JoinParts(const PatchesApart& apart, std::size_t wholeCount, const Labelling& ofParts);

@@ -91,11 +91,13 @@ void Placement::CollectSheets(Index vertex)
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     sheets.push_back(kept[i]->Surface);
-    onePerPatch = onePerPatch && std::none_of(kept.begin(), kept.begin() + i, [&](const Meeting* m)
-                                   { return m->Patch == kept[i]->Patch; });
+    onePerPatch = onePerPatch &&
+      std::none_of(kept.begin(), kept.begin() + i,
+        [&](const Meeting* m) { return m->Patch == kept[i]->Patch; });
   }
   const bool insideJunction = !this->InsideJunctions.empty() && this->InsideJunctions[vertex];
-  this->OnCurve[damaged] = sheets.size() == 2 || (sheets.size() > 2 && insideJunction && onePerPatch);
+  this->OnCurve[damaged] =
+    sheets.size() == 2 || (sheets.size() > 2 && insideJunction && onePerPatch);
 }
 
 Vec3 Placement::OnSheets(Index vertex, const Vec3& start) const

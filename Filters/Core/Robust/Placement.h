@@ -46,8 +46,8 @@ public:
   /// Keeps the damaged vertices on free boundaries (see FindWalls) in their walls.
   void SetWalls(const std::vector<Wall>& walls);
 
-  /// In how many directions a damaged vertex can be slid while it is held: 2 on a face, 1 on a ridge
-  /// or on the boundary of a face, 0 in a corner. Where it is 1, `along` is its direction.
+  /// In how many directions a damaged vertex can be slid while it is held: 2 on a face, 1 on a
+  /// ridge or on the boundary of a face, 0 in a corner. Where it is 1, `along` is its direction.
   int Freedom(Index vertex, Vec3& along) const;
 
   /// Whether a damaged vertex is held on a curve: where two faces meet, or any number of patches

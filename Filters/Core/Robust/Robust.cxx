@@ -163,8 +163,8 @@ private:
     }
     else
     {
-      this->Sharpen({ this->Input, this->Work, this->TheConnectivity, labelling, this->Scales,
-                      this->Region },
+      this->Sharpen(
+        { this->Input, this->Work, this->TheConnectivity, labelling, this->Scales, this->Region },
         apexes, ridge);
     }
     this->Result.SharpeningSeconds += sharpening.Seconds();
@@ -292,8 +292,7 @@ private:
   /// Puts the damaged vertices on the faces around them, as far as nothing folds or cuts.
   void Sharpen(const Labelled& mesh, const std::vector<Apex>& apexes, const Ridge& ridge)
   {
-    Placement placement(
-      mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Scales, ridge.FaceLabels);
+    Placement placement(mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Scales, ridge.FaceLabels);
     placement.SetJunctions(InsideJunctions(mesh.Now, mesh.TheConnectivity));
     placement.SetWalls(FindWalls(mesh.Before, mesh.TheConnectivity, mesh.Region, mesh.Scales));
     for (Index v : Flagged(mesh.Region))

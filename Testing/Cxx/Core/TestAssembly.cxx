@@ -191,8 +191,8 @@ TEST(Assembly, CommonVerticesAreTheLowest)
       ++lowest;
     }
     EXPECT_EQ(made.TheAssembly.SameAs[v], lowest);
-    EXPECT_EQ(made.TheConnectivity.Common[lowest], mesh.Points[v].x() == 4.0 &&
-      mesh.Points[v].z() == 0.0);
+    EXPECT_EQ(
+      made.TheConnectivity.Common[lowest], mesh.Points[v].x() == 4.0 && mesh.Points[v].z() == 0.0);
   }
 }
 
@@ -374,8 +374,8 @@ TEST(PatchesApart, ShareNoVertex)
       const Index v = apart.Parts.Triangles[t][k];
       EXPECT_EQ(apart.WholeOf[v], made.TheMesh.Triangles[t][k]);
       EXPECT_EQ(apart.Parts.Points[v], made.TheMesh.Points[made.TheMesh.Triangles[t][k]]);
-      EXPECT_TRUE(patchOfVertex[v] == NoIndex ||
-        patchOfVertex[v] == made.TheConnectivity.PatchOf[t]);
+      EXPECT_TRUE(
+        patchOfVertex[v] == NoIndex || patchOfVertex[v] == made.TheConnectivity.PatchOf[t]);
       patchOfVertex[v] = made.TheConnectivity.PatchOf[t];
     }
   }

@@ -44,7 +44,8 @@ TEST(CoincidentPoints, EqualOnesAreTheLowest)
 {
   const Vec3 a(0.1, 0.2, 0.3);
   const Vec3 b(-7.0, 0.2, 0.3);
-  EXPECT_EQ(LowestCoincident({ a, b, a, b, a }, UpTo(5), 0.0), (std::vector<Index>{ 0, 1, 0, 1, 0 }));
+  EXPECT_EQ(
+    LowestCoincident({ a, b, a, b, a }, UpTo(5), 0.0), (std::vector<Index>{ 0, 1, 0, 1, 0 }));
   EXPECT_EQ(LowestCoincident({ a, b, a, b, a }, { 1, 2, 4 }, 0.0), (std::vector<Index>{ 1, 2, 2 }));
   EXPECT_EQ(LowestCoincident({ a, a, a }, UpTo(3), 0.0), (std::vector<Index>{ 0, 0, 0 }));
   EXPECT_TRUE(LowestCoincident({}, {}, 1.0).empty());

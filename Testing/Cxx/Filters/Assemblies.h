@@ -30,19 +30,20 @@ using Point = Eigen::Vector3d;
 /// How deep a point is inside a material; negative outside.
 using Material = std::function<double(const Point&)>;
 
+/// Cells a side for which no edge of the net of TwoSlabs has four faces between the same materials.
+constexpr int CleanCells = 28;
+
 /// The planes of two slabs on each other, turned so that none lies along the grid: |x| <= 6,
 /// |y| <= 5, -4 <= z <= 1 and 1 <= z <= 4.
 struct TwoSlabs
 {
-  Eigen::Matrix3d Turn =
-    (Eigen::AngleAxisd(0.4, Point::UnitX()) * Eigen::AngleAxisd(0.7, Point::UnitY()) *
-      Eigen::AngleAxisd(0.3, Point::UnitZ()))
-      .toRotationMatrix();
+  Eigen::Matrix3d Turn = (Eigen::AngleAxisd(0.15, Point::UnitX()) *
+    Eigen::AngleAxisd(0.1, Point::UnitY()) * Eigen::AngleAxisd(0.1, Point::UnitZ()))
+                           .toRotationMatrix();
 
   static double InBox(const Point& p, double low, double high)
   {
-    return std::min(
-      { 6.0 - std::abs(p.x()), 5.0 - std::abs(p.y()), p.z() - low, high - p.z() });
+    return std::min({ 6.0 - std::abs(p.x()), 5.0 - std::abs(p.y()), p.z() - low, high - p.z() });
   }
   Point Local(const Point& p) const { return this->Turn.transpose() * p; }
 
@@ -167,7 +168,8 @@ private:
   {
     std::array<int, 3> end = crossing.Start;
     ++end[crossing.Axis];
-    const Point p = (1.0 - crossing.Where) * this->At(crossing.Start) + crossing.Where * this->At(end);
+    const Point p =
+      (1.0 - crossing.Where) * this->At(crossing.Start) + crossing.Where * this->At(end);
     for (int k = 0; k < 4; ++k)
     {
       vtkIdType& vertex = this->VertexOf[this->CellAround(crossing, k)];

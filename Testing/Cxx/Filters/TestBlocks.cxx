@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPolyData> PatchOf(vtkPolyData* mesh, double id, bool keepIds)
 std::vector<vtkSmartPointer<vtkPolyData>> Patches(bool keepIds)
 {
   const TwoSlabs slabs;
-  const auto mesh = SurfaceNet(slabs.Materials(), 30).Make();
+  const auto mesh = SurfaceNet(slabs.Materials(), CleanCells).Make();
   return { PatchOf(mesh, 1, keepIds), PatchOf(mesh, 2, keepIds), PatchOf(mesh, 12, keepIds) };
 }
 
@@ -147,8 +147,7 @@ TEST(Blocks, AreOneAssemblyAndKeepTheirStructure)
       auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
       ASSERT_NE(output, nullptr);
       EXPECT_EQ(output->GetNumberOfBlocks(), 3u);
-      EXPECT_STREQ(
-        output->GetMetaData(1u)->Get(vtkCompositeDataSet::NAME()), "the other two");
+      EXPECT_STREQ(output->GetMetaData(1u)->Get(vtkCompositeDataSet::NAME()), "the other two");
       auto* inner = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(1));
       ASSERT_NE(inner, nullptr);
       EXPECT_EQ(inner->GetNumberOfBlocks(), 3u);
