@@ -69,6 +69,7 @@ set(sources
   Filters/Core/Robust/Sides.cxx
   Filters/Core/Robust/ThinFaces.cxx
   Filters/Core/Robust/Turn.cxx
+  Filters/Core/Robust/Unblurred.cxx
   Filters/Core/Robust/Unexplained.cxx
   Filters/Core/Robust/Untangle.cxx
   Filters/Support/Arrays.cxx

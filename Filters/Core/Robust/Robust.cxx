@@ -57,10 +57,9 @@ public:
     {
       return {};
     }
-    const int passes = this->IsRough() ? 1 : RecoveryPasses;
-    for (int pass = 0; pass < passes; ++pass)
+    for (int pass = 0; pass < RecoveryPasses && !(pass > 0 && this->IsBlurred()); ++pass)
     {
-      const double part = (1.0 - Smooth) / passes;
+      const double part = (1.0 - Smooth) / RecoveryPasses;
       if (!this->RunPass(this->TheMonitor.Part(Smooth + pass * part, Smooth + (pass + 1) * part)))
       {
         return {};
@@ -76,6 +75,9 @@ public:
 
 private:
   bool IsRough() const { return this->Result.Rough.Degree > 0.0; }
+
+  /// One pass is enough then: the next would fit to what is intact and yet moved by the blur.
+  bool IsBlurred() const { return this->IsRough() || this->Result.Rounding > LeastRounding; }
 
   /// What is rough is worked on in a smooth copy.
   bool TakeSmoothCopy()

@@ -221,6 +221,12 @@ void Sheet::Reweight(const std::vector<SheetSample>& samples, std::vector<double
   }
 }
 
+void Sheet::Unblur(double width)
+{
+  const double moved = 0.5 * width * width * (this->BendingU + this->BendingW) / this->Scale;
+  this->Origin -= moved * this->N;
+}
+
 double Sheet::Distance(const Vec3& point) const
 {
   const Vec3 d = (point - this->Origin) / this->Scale;

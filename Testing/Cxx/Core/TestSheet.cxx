@@ -97,3 +97,13 @@ TEST(Sheet, OfOneSampleIsItsTangentPlane)
   const Sheet sheet({ { Vec3(1.0, 2.0, 3.0), Vec3::UnitX(), 1.0 } }, Scale, Caution);
   EXPECT_DOUBLE_EQ(sheet.Distance(Vec3(4.0, 0.0, 0.0)), 3.0);
 }
+
+TEST(Sheet, OfABlurredSphereGoesBackToTheSphere)
+{
+  Sheet sheet(SamplesBeside(OnSphere), Scale, Caution);
+  const double width = 0.5 * Scale;
+  sheet.Unblur(width);
+  // The blurred distance from a sphere is zero by half the squared width times 2 / radius inside
+  // it.
+  EXPECT_NEAR(sheet.Distance(Vec3::Zero()), -width * width / (8.0 * Scale), 1e-3);
+}
