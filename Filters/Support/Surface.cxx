@@ -4,6 +4,7 @@
 #include "Surface.h"
 
 #include "Core/Parallel.h"
+#include "Support/Parameters.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -29,8 +30,15 @@ namespace
 /// The most cells for which three corners a triangle still fit an Index.
 constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
 
-/// The first point that is not finite, or how many points there are.
-vtkIdType FirstNonFinitePoint(vtkPoints* points)
+/// Whether a coordinate is one that can be reckoned with: up to the sixth power of a length is
+/// formed without leaving the range of double precision. Not of NaN and infinity.
+bool IsInRange(double coordinate)
+{
+  return std::abs(coordinate) <= LargestLength;
+}
+
+/// The first point that is not in range, or how many points there are.
+vtkIdType FirstPointOutOfRange(vtkPoints* points)
 {
   std::atomic<vtkIdType> first(points->GetNumberOfPoints());
   vtkSMPTools::For(0, first,
@@ -41,7 +49,7 @@ vtkIdType FirstNonFinitePoint(vtkPoints* points)
         double p[3];
         points->GetPoint(i, p);
         vtkIdType least = first;
-        while (i < least && !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) &&
+        while (i < least && !(IsInRange(p[0]) && IsInRange(p[1]) && IsInRange(p[2])) &&
           !first.compare_exchange_weak(least, i))
         {
         }
@@ -88,10 +96,15 @@ std::string ProblemWith(vtkPolyData* input)
   }
   if (pointCount > 0)
   {
-    const vtkIdType bad = FirstNonFinitePoint(input->GetPoints());
+    const vtkIdType bad = FirstPointOutOfRange(input->GetPoints());
     if (bad < pointCount)
     {
-      return "point " + std::to_string(bad) + " has a coordinate that is not a finite number";
+      double p[3];
+      input->GetPoint(bad, p);
+      const bool finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+      return "point " + std::to_string(bad) +
+        (finite ? " is too far away: no coordinate may be larger than 1e50"
+                : " has a coordinate that is not a finite number");
     }
   }
   std::string problem = ProblemWithCells(input->GetPolys(), "polygon", 3, pointCount);
@@ -222,6 +235,11 @@ std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surfac
   FillMesh(output, surface);
   surface.Adjacency = Connectivity(surface.Triangulation);
   surface.AverageEdgeLength = AverageEdgeLength(surface.Triangulation, surface.Adjacency);
+  if (surface.AverageEdgeLength > 0.0 && surface.AverageEdgeLength < SmallestLength)
+  {
+    output->Initialize();
+    return "the mesh is too small: its edges must be longer than 1e-50 on average";
+  }
   return {};
 }
 

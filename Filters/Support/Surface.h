@@ -34,7 +34,7 @@ struct Surface
 /// cut from) and vertices and lines as they are. Then fills `surface` from it.
 ///
 /// Returns what is wrong with the input, in words for a user, or nothing. Wrong is: a point that is
-/// not finite, a cell that names a point that is not there, a polygon that cannot be cut into
+/// not finite or beyond 1e50, a mesh of edges below 1e-50, a cell that names a point that is not there, a polygon that cannot be cut into
 /// triangles, more cells than 32-bit indices can count.
 std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surface);
 
