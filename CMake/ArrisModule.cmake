@@ -50,6 +50,7 @@ set(sources
   Filters/Core/Robust/Account.cxx
   Filters/Core/Robust/Apexes.cxx
   Filters/Core/Robust/Denoised.cxx
+  Filters/Core/Robust/EdgeFlips.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/Labels.cxx
   Filters/Core/Robust/Labelling.cxx

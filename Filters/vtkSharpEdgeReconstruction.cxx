@@ -79,6 +79,7 @@ bool vtkSharpEdgeReconstruction::RecoverRobustly(const arris::Surface& surface,
     : arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
   parameters.SharpAngle = this->PointsArePicked ? chosen.SharpAngle : this->SharpAngle;
   parameters.Denoise = this->Denoise;
+  parameters.AllowEdgeFlips = this->AllowEdgeFlips;
   if (!arris::RecoverByRobust(surface, parameters, monitor, output))
   {
     return false;
@@ -101,4 +102,5 @@ void vtkSharpEdgeReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << (this->Method == PAPER ? "Paper" : "Robust") << "\n";
   os << indent << "Denoise: " << (this->Denoise ? "On" : "Off") << "\n";
+  os << indent << "AllowEdgeFlips: " << (this->AllowEdgeFlips ? "On" : "Off") << "\n";
 }

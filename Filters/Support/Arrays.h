@@ -62,6 +62,7 @@ constexpr const char* SharpAngle = "SharpAngle";
 constexpr const char* AverageEdgeLength = "AverageEdgeLength";
 constexpr const char* Roughness = "Roughness";
 constexpr const char* Rounding = "Rounding";
+constexpr const char* EdgeFlips = "EdgeFlips";
 constexpr const char* ClassificationSeconds = "ClassificationSeconds";
 constexpr const char* ThinningSeconds = "ThinningSeconds";
 constexpr const char* SharpeningSeconds = "SharpeningSeconds";

@@ -29,11 +29,13 @@ bool RecoverByRobust(const Surface& surface, const RobustParameters& parameters,
   AddFieldValue(output, array::SharpAngle, result.SharpAngle);
   AddFieldValue(output, array::Roughness, result.Rough.Degree);
   AddFieldValue(output, array::Rounding, result.Rounding);
+  AddFieldValue(output, array::EdgeFlips, result.EdgeFlips);
   AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);
   AddFieldValue(output, array::ClassificationSeconds, result.ClassificationSeconds);
   AddFieldValue(output, array::ThinningSeconds, result.ThinningSeconds);
   AddFieldValue(output, array::SharpeningSeconds, result.SharpeningSeconds);
   ReplacePoints(output, mesh.Points, result.Points);
+  ReplaceTriangles(output, surface.Cells, result.FlippedTriangles);
   AddDisplacement(output, mesh.Points);
   return true;
 }

@@ -251,4 +251,22 @@ void ReplacePoints(
     output->GetCellData()->SetActiveNormals(nullptr);
   }
 }
+
+void ReplaceTriangles(
+  vtkPolyData* output, const std::vector<vtkIdType>& cells, const std::vector<Triangle>& triangles)
+{
+  if (triangles.empty())
+  {
+    return;
+  }
+  const vtkIdType before = output->GetNumberOfVerts() + output->GetNumberOfLines();
+  vtkNew<vtkCellArray> polys;
+  polys->DeepCopy(output->GetPolys());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const vtkIdType ids[3] = { triangles[t][0], triangles[t][1], triangles[t][2] };
+    polys->ReplaceCellAtId(cells[t] - before, 3, ids);
+  }
+  output->SetPolys(polys);
+}
 }

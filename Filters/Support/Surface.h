@@ -43,6 +43,11 @@ std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surfac
 /// any more: the arrays stay, but are no longer the ones to shade by.
 void ReplacePoints(
   vtkPolyData* output, const std::vector<Vec3>& before, const std::vector<Vec3>& after);
+
+/// Gives the output's cells other corners; each keeps its number, and so its data. No triangles
+/// leave all as it is.
+void ReplaceTriangles(
+  vtkPolyData* output, const std::vector<vtkIdType>& cells, const std::vector<Triangle>& triangles);
 }
 
 #endif

@@ -121,16 +121,18 @@ Vec3 Placement::Held(Index vertex, const Vec3& target) const
     : this->Points[vertex];
 }
 
+double ShapeQuality(const Corners& corners, const Vec3& expected)
+{
+  constexpr double Equilateral = 3.4641016151377544; // 2 sqrt(3)
+  const double lengths = (corners.B - corners.A).squaredNorm() +
+    (corners.C - corners.B).squaredNorm() + (corners.A - corners.C).squaredNorm();
+  return lengths > 0.0 ? Equilateral * corners.AreaVector().dot(expected) / lengths : 0.0;
+}
+
 double Placement::Quality(Index t) const
 {
   const Triangle& c = this->TheMesh.Triangles[t];
   const Corners corners(this->Points[c[0]], this->Points[c[1]], this->Points[c[2]]);
-  const double lengths = (corners.B - corners.A).squaredNorm() +
-    (corners.C - corners.B).squaredNorm() + (corners.A - corners.C).squaredNorm();
-  if (!(lengths > 0.0))
-  {
-    return 0.0;
-  }
   const Sheet* sheet = nullptr;
   for (int k = 0; k < 3 && sheet == nullptr; ++k)
   {
@@ -141,7 +143,6 @@ double Placement::Quality(Index t) const
   }
   const Vec3 expected = sheet ? sheet->Normal(corners.Centroid())
                               : Vec3(Corners(this->TheMesh, t).AreaVector().normalized());
-  constexpr double Equilateral = 3.4641016151377544; // 2 sqrt(3)
-  return Equilateral * corners.AreaVector().dot(expected) / lengths;
+  return ShapeQuality(corners, expected);
 }
 }

@@ -8,10 +8,15 @@
 #ifndef arris_Robust_Placement_h
 #define arris_Robust_Placement_h
 
+#include "Core/Geometry.h"
 #include "Ridge.h"
 
 namespace arris
 {
+/// 1 for an equilateral triangle, 0 for one without area, negative for one that faces away from
+/// `expected`, a unit vector.
+double ShapeQuality(const Corners& corners, const Vec3& expected);
+
 class Placement
 {
 public:

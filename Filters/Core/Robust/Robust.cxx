@@ -8,6 +8,7 @@
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
 #include "Denoised.h"
+#include "EdgeFlips.h"
 #include "MeetingEdges.h"
 #include "Placement.h"
 #include "Retreat.h"
@@ -41,7 +42,8 @@ public:
   Recovery(const Mesh& input, const Connectivity& connectivity, double averageEdgeLength,
     const RobustParameters& parameters, const Monitor& monitor)
     : Input(input)
-    , TheConnectivity(connectivity)
+    , Flipped(parameters.AllowEdgeFlips ? connectivity : Connectivity())
+    , TheConnectivity(parameters.AllowEdgeFlips ? this->Flipped : connectivity)
     , AverageEdgeLength(averageEdgeLength)
     , Parameters(parameters)
     , TheMonitor(monitor)
@@ -71,6 +73,10 @@ public:
       return {};
     }
     this->Result.Points = std::move(this->Work.Points);
+    if (this->Result.EdgeFlips > 0)
+    {
+      this->Result.FlippedTriangles = std::move(this->Work.Triangles);
+    }
     return std::move(this->Result);
   }
 
@@ -212,13 +218,16 @@ private:
         placement.Pin(v, v == apex.Vertex ? apex.Tip : this->Work.Points[v]);
       }
     }
+    this->Flip(placement);
     Untangle(this->Work, this->TheConnectivity, this->Scales, placement);
+    this->Flip(placement);
     if (this->IsRough() && !this->Parameters.Denoise)
     {
       this->PutIntactBack(placement);
     }
     const std::vector<Vec3> wanted = placement.AllPoints();
-    Retreat(this->IsRough() ? this->Input : this->Work, this->TheConnectivity, placement);
+    const Mesh& before = this->IsRough() ? this->RoughMesh() : this->Work;
+    Retreat(before, this->TheConnectivity, placement);
     for (std::size_t v = 0; v < this->Region.size(); ++v)
     {
       this->Result.Region[v] |= this->Region[v];
@@ -226,6 +235,25 @@ private:
     TellSkeleton(this->TheConnectivity, placement, this->Result);
     TellOutcomes(this->Input.Points, wanted, placement, this->Result);
     this->TakePoints(placement);
+  }
+
+  void Flip(Placement& placement)
+  {
+    if (this->Parameters.AllowEdgeFlips)
+    {
+      this->Result.EdgeFlips += FlipEdges(this->Work, this->Flipped, placement);
+    }
+  }
+
+  /// The input, with the edges flipped that are now.
+  const Mesh& RoughMesh()
+  {
+    if (this->Result.EdgeFlips == 0)
+    {
+      return this->Input;
+    }
+    this->Rough = { this->Input.Points, this->Work.Triangles };
+    return this->Rough;
   }
 
   void PutIntactBack(Placement& placement) const
@@ -251,6 +279,7 @@ private:
   }
 
   const Mesh& Input;
+  Connectivity Flipped; ///< as the flips have left it, where they are allowed
   const Connectivity& TheConnectivity;
   double AverageEdgeLength;
   const RobustParameters& Parameters;
@@ -260,6 +289,7 @@ private:
 
   // Of the pass.
   Mesh Work; ///< what the passes before have made of the input, or of its smooth copy
+  Mesh Rough; ///< the rough input with edges flipped
   Flags Moved; ///< by the pass before
   std::vector<Turn> Turns;
   Flags Region;

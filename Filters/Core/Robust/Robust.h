@@ -36,6 +36,7 @@ struct RobustParameters
   double SharpAngle = 0.0; ///< degrees; the turn from which on an edge is sharp; 0: 16, on rough
                            ///< meshes 22
   bool Denoise = false; ///< of a rough mesh, the smooth faces are moved as well
+  bool AllowEdgeFlips = false; ///< where triangles of one face have no room, inside the region
 };
 
 struct RobustResult
@@ -52,6 +53,8 @@ struct RobustResult
   std::vector<SkeletonRole> Roles;
   std::vector<Outcome> Outcomes;
   std::vector<Vec3> Points;
+  std::vector<Triangle> FlippedTriangles; ///< all triangles, if any edge was flipped
+  Index EdgeFlips = 0;
 
   // What finding the region, the skeleton and the positions took.
   double ClassificationSeconds = 0.0;
