@@ -3,6 +3,8 @@
 
 #include "EdgeGraph.h"
 
+#include "SortUnique.h"
+
 #include <algorithm>
 
 namespace arris
@@ -14,9 +16,7 @@ EdgeGraph::EdgeGraph(const std::vector<std::array<Index, 2>>& edges)
   {
     this->Vertices.insert(this->Vertices.end(), edge.begin(), edge.end());
   }
-  std::sort(this->Vertices.begin(), this->Vertices.end());
-  this->Vertices.erase(
-    std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
+  SortUnique(this->Vertices);
 
   std::vector<std::array<Index, 3>> ends; // from, to, edge
   ends.reserve(2 * edges.size());

@@ -6,6 +6,7 @@
 #include "Flagged.h"
 #include "Geometry.h"
 #include "Parallel.h"
+#include "SortUnique.h"
 #include "TriangleCrossing.h"
 
 #include <algorithm>
@@ -169,9 +170,7 @@ private:
       entry.Level = this->LevelOf(entry.Bounds.Width());
       this->LevelsInUse.push_back(entry.Level);
     }
-    std::sort(this->LevelsInUse.begin(), this->LevelsInUse.end());
-    this->LevelsInUse.erase(
-      std::unique(this->LevelsInUse.begin(), this->LevelsInUse.end()), this->LevelsInUse.end());
+    SortUnique(this->LevelsInUse);
   }
 
   /// The finest level whose cubes are at least that wide.
@@ -329,8 +328,7 @@ std::vector<std::array<Index, 2>> FindIntersections(
       pairs.insert(pairs.end(), found.begin(), found.end());
     });
   // The order in which the threads came is gone with this, and so are repeated finds.
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  SortUnique(pairs);
   return pairs;
 }
 }

@@ -3,6 +3,8 @@
 
 #include "Thinning.h"
 
+#include "SortUnique.h"
+
 #include <algorithm>
 
 namespace arris
@@ -83,8 +85,7 @@ private:
 /// Puts the vertices to try in order, each once.
 void SortByPriority(std::vector<Index>& vertices, const std::vector<double>& priority)
 {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  SortUnique(vertices);
   if (!priority.empty())
   {
     std::stable_sort(vertices.begin(), vertices.end(),

@@ -3,8 +3,11 @@
 
 #include "MeetSheets.h"
 
+#include "Core/Geometry.h"
 #include "Core/Predictor.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace arris
@@ -32,5 +35,13 @@ Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets)
     }
   }
   return point;
+}
+
+bool IsSpokenFor(const Sheet& sheet, const std::vector<const Sheet*>& others, const Vec3& point)
+{
+  const double like = std::cos(LeastCrossingAngle * Pi / 180.0);
+  const Vec3 normal = sheet.Normal(point);
+  return std::any_of(others.begin(), others.end(),
+    [&](const Sheet* other) { return other->Normal(point).dot(normal) > like; });
 }
 }

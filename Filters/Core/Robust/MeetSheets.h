@@ -12,8 +12,15 @@
 
 namespace arris
 {
+/// Normals closer than this are one face for the purpose of edges, in degrees.
+constexpr double LeastCrossingAngle = 15.0;
+
 /// The point nearest to `start` that lies on all the sheets, or as near to all of them as can be.
 Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets);
+
+/// Whether one of `others` has about the normal that the sheet has at a point, so that the two have
+/// no edge to meet in.
+bool IsSpokenFor(const Sheet& sheet, const std::vector<const Sheet*>& others, const Vec3& point);
 }
 
 #endif

@@ -64,15 +64,11 @@ void Placement::CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) c
     [](const Meeting& a, const Meeting& b)
     { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Label < b.Label; });
   // Of faces with like normals the nearest speaks for all.
-  const double like = std::cos(LeastCrossingAngle * Pi / 180.0);
   const Vec3& x = this->TheMesh.Points[vertex];
   sheets.clear();
   for (const Meeting& meeting : meetings)
   {
-    const Vec3 normal = meeting.Surface->Normal(x);
-    const bool spokenFor = std::any_of(sheets.begin(), sheets.end(),
-      [&](const Sheet* sheet) { return sheet->Normal(x).dot(normal) > like; });
-    if (!spokenFor)
+    if (!IsSpokenFor(*meeting.Surface, sheets, x))
     {
       sheets.push_back(meeting.Surface);
     }

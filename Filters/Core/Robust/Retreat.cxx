@@ -4,6 +4,7 @@
 #include "Retreat.h"
 
 #include "Core/Intersections.h"
+#include "Core/SortUnique.h"
 
 #include <algorithm>
 #include <iterator>
@@ -74,8 +75,7 @@ private:
         triangles.push_back(t);
       }
     }
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    SortUnique(triangles);
     return triangles;
   }
 
@@ -178,8 +178,7 @@ private:
         }
       }
     }
-    std::sort(cutting.begin(), cutting.end());
-    cutting.erase(std::unique(cutting.begin(), cutting.end()), cutting.end());
+    SortUnique(cutting);
     return cutting;
   }
 

@@ -19,9 +19,6 @@ struct Ridge
 
 Ridge FindRidge(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
   const Labelling& labelling, const RightAlready& right);
-
-/// Normals closer than this are one face for the purpose of edges, in degrees.
-constexpr double LeastCrossingAngle = 15.0;
 }
 
 #endif

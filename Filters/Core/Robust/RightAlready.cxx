@@ -5,7 +5,7 @@
 
 #include "Core/Geometry.h"
 #include "Core/Parallel.h"
-#include "Ridge.h"
+#include "MeetSheets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "Straighten.h"
 
 #include "Core/Geometry.h"
+#include "Core/SortUnique.h"
 #include "Creases.h"
 #include "MeetSheets.h"
 
@@ -65,11 +66,11 @@ private:
     std::vector<const Sheet*> Sheets;
   };
 
-  /// Moves v to where the creases around it are least. A corner stays: cutting it off would leave
-  /// fewer of them, too.
+  /// Moves v to where the creases around it are least. A corner stays, and a tip: cutting it off
+  /// would leave fewer of them, too.
   bool Improve(Index v)
   {
-    if (this->ThePlacement.SheetsOf(v).size() > 2)
+    if (this->ThePlacement.IsPinned(v) || this->ThePlacement.SheetsOf(v).size() > 2)
     {
       return false;
     }
@@ -161,14 +162,10 @@ private:
       [](const Side* a, const Side* b)
       { return a->Distance != b->Distance ? a->Distance < b->Distance : a->Patch < b->Patch; });
     const Vec3& x = this->TheMesh.Points[v];
-    const double like = std::cos(LeastCrossingAngle * Pi / 180.0);
     std::vector<const Sheet*> faces;
     for (const Side* side : nearest)
     {
-      const Vec3 normal = side->Surface.Normal(x);
-      const bool spokenFor = std::any_of(faces.begin(), faces.end(),
-        [&](const Sheet* face) { return face->Normal(x).dot(normal) > like; });
-      if (!spokenFor && faces.size() < MostFaces)
+      if (faces.size() < MostFaces && !IsSpokenFor(side->Surface, faces, x))
       {
         faces.push_back(&side->Surface);
       }
@@ -244,8 +241,7 @@ private:
       }
       around.push_back(v);
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
+    SortUnique(around);
     return around;
   }
 
@@ -264,7 +260,7 @@ void Straighten(const Mesh& mesh, const Connectivity& connectivity, const Labell
   std::vector<Index> damaged;
   for (Index v = 0; v < mesh.VertexCount(); ++v)
   {
-    if (placement.IsDamaged(v) && !placement.IsPinned(v))
+    if (placement.IsDamaged(v))
     {
       damaged.push_back(v);
     }

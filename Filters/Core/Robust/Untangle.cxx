@@ -4,6 +4,7 @@
 #include "Untangle.h"
 
 #include "Core/Geometry.h"
+#include "Core/SortUnique.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,12 +79,6 @@ private:
       }
     }
     return bad;
-  }
-
-  static void SortUnique(std::vector<Index>& indices)
-  {
-    std::sort(indices.begin(), indices.end());
-    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   }
 
   std::vector<Index> VerticesOf(const std::vector<Index>& triangles) const
