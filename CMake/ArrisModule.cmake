@@ -72,6 +72,7 @@ set(sources
   Filters/Core/Robust/Straighten.cxx
   Filters/Core/Robust/ThinFaces.cxx
   Filters/Core/Robust/Turn.cxx
+  Filters/Core/Robust/Unblurred.cxx
   Filters/Core/Robust/Unexplained.cxx
   Filters/Core/Robust/Untangle.cxx
   Filters/Support/Arrays.cxx

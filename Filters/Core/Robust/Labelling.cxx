@@ -5,23 +5,32 @@
 
 #include "Core/Flagged.h"
 #include "Neighbourhoods.h"
+#include "Unblurred.h"
 #include "Unexplained.h"
 
 namespace arris
 {
 namespace
 {
-/// Of the progress, what the first fit takes; the second is of few vertices.
+/// Of the progress, what the first fit takes; the second is of few vertices. All is fitted twice
+/// more where a blur is undone.
 constexpr double FirstFit = 0.9;
+constexpr double BlurredLabelled = 0.4;
 
-bool FitSides(const Surroundings& around, const Flags& region, const Patches& patches,
+/// Each round of undoing a blur takes out most of what the one before has left.
+constexpr int UnblurringRounds = 2;
+
+bool FitSides(const Surroundings& around, const Samples& samples,
   const std::vector<Index>& vertices, const Monitor& monitor, Labelling& labelling)
 {
   const Rows groups = GroupIntoNeighbourhoods(around, vertices);
+  const bool keepSolids = around.IsBlurred();
+  const auto first = static_cast<Index>(labelling.Solids.size());
+  labelling.Solids.resize(keepSolids ? first + groups.size() : 0);
   return ParallelFor(groups.size(), monitor,
     [&](Index begin, Index end)
     {
-      SideFinder finder(around, region, patches);
+      SideFinder finder(around, samples);
       std::vector<std::vector<Side>*> sides;
       for (Index g = begin; g < end; ++g)
       {
@@ -29,10 +38,42 @@ bool FitSides(const Surroundings& around, const Flags& region, const Patches& pa
         for (Index v : groups[g])
         {
           sides.push_back(&labelling.Sides[labelling.SidesOf[v]]);
+          labelling.SolidOf[labelling.SidesOf[v]] = keepSolids ? first + g : NoIndex;
         }
-        finder.Find(groups[g], sides);
+        LocalSolid solid = finder.Find(groups[g], sides);
+        if (keepSolids)
+        {
+          labelling.Solids[first + g] = std::move(solid);
+        }
       }
     });
+}
+
+/// Fits the sides again, to what a blur has moved as well, and labels by them. The first sides are
+/// off by what the blur has done to their samples.
+bool LabelUnblurred(
+  const Surroundings& around, const Samples& samples, const Monitor& monitor, Labelling& labelling)
+{
+  constexpr double Rounds = UnblurringRounds;
+  const std::vector<Index> damaged = Flagged(samples.Region);
+  for (int round = 0; round < UnblurringRounds; ++round)
+  {
+    const double width = BlurWidth(around, damaged, labelling);
+    if (!(width > 0.0))
+    {
+      return true;
+    }
+    const Unblurred unblurred(around, samples, damaged, labelling, width);
+    labelling.Solids.clear();
+    const Monitor part = monitor.Part(round / Rounds, (round + 1) / Rounds);
+    if (!FitSides(around, unblurred.ToFit(), damaged, part, labelling))
+    {
+      return false;
+    }
+    labelling.Labels = FloodLabels(around.TheConnectivity, samples.ThePatches, samples.Region,
+      labelling.Sides, labelling.SidesOf);
+  }
+  return true;
 }
 }
 
@@ -48,7 +89,12 @@ bool LabelVertices(
     labelling.SidesOf[damaged[i]] = static_cast<Index>(i);
   }
   labelling.Sides.assign(damaged.size(), {});
-  if (!FitSides(around, region, patches, damaged, monitor.Part(0.0, FirstFit), labelling))
+  labelling.SolidOf.assign(damaged.size(), NoIndex);
+  const Samples samples{ around.TheMesh.Points, around.TheFaces.VertexNormals, around.Flatness,
+    region, patches, 0.0 };
+  const double labelled = around.IsBlurred() ? BlurredLabelled : 1.0;
+  const double fitted = FirstFit * labelled;
+  if (!FitSides(around, samples, damaged, monitor.Part(0.0, fitted), labelling))
   {
     return false;
   }
@@ -61,14 +107,28 @@ bool LabelVertices(
     labelling.SidesOf[v] = NoIndex;
   }
   const std::vector<Index> again = DamagedNear(around, released, region);
-  if (!FitSides(around, region, patches, again, monitor.Part(FirstFit, 1.0), labelling))
+  if (!FitSides(around, samples, again, monitor.Part(fitted, labelled), labelling))
   {
     return false;
   }
   labelling.FirstApexLabel = patches.PatchCount;
   labelling.Labels =
     FloodLabels(around.TheConnectivity, patches, region, labelling.Sides, labelling.SidesOf);
-  return true;
+  return !around.IsBlurred() ||
+    LabelUnblurred(around, samples, monitor.Part(labelled, 1.0), labelling);
+}
+
+const Side* Labelling::SideAt(Index vertex) const
+{
+  const Index row = this->SidesOf[vertex];
+  return row != NoIndex ? FindSide(this->Sides[row], this->Labels[vertex]) : nullptr;
+}
+
+const LocalSolid* Labelling::SolidAt(Index vertex) const
+{
+  const Index row = this->SidesOf[vertex];
+  return row != NoIndex && this->Sides[row].size() > 1 ? &this->Solids[this->SolidOf[row]]
+                                                       : nullptr;
 }
 
 const Sheet* Labelling::SheetAt(const Connectivity& connectivity, Index vertex, Index label) const

@@ -19,11 +19,19 @@ struct Labelling
   std::vector<std::vector<Side>> Sides; ///< of the vertices of the region, in their order
   std::vector<Index> SidesOf; ///< for each vertex where in Sides; NoIndex if intact
 
+  std::vector<LocalSolid> Solids; ///< that the sides bound
+  std::vector<Index> SolidOf; ///< for each row of Sides which of Solids
+
   /// Labels from here on are those of tips: no edge runs around one.
   Index FirstApexLabel = 0;
 
   /// The sheet of a label as a vertex sees it, or one of its neighbours does; null if none.
   const Sheet* SheetAt(const Connectivity& connectivity, Index vertex, Index label) const;
+
+  /// Of a damaged vertex, the side that it lies on and the solid that its sides bound; null if
+  /// none.
+  const Side* SideAt(Index vertex) const;
+  const LocalSolid* SolidAt(Index vertex) const;
 };
 
 /// Fits the sides of every vertex of the region, sorts what is intact into patches, gives narrow

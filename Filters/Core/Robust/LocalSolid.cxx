@@ -3,6 +3,8 @@
 
 #include "LocalSolid.h"
 
+#include "Core/Geometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,6 +24,27 @@ double MeanDistance(const std::vector<SheetSample>& samples, const Sheet& sheet)
   }
   return weights > 0.0 ? sum / weights : 0.0;
 }
+
+/// The larger of two distances, or the smaller; what a Gaussian leaves of it is Clark's mean of the
+/// greater of two normal variables, as distances are linear across the little that it averages
+/// over.
+LocalSolid::Value Meeting(
+  const LocalSolid::Value& a, const LocalSolid::Value& b, bool larger, double width)
+{
+  const double sign = larger ? 1.0 : -1.0;
+  const double gap = sign * (a.Distance - b.Distance);
+  const double spread = width * (a.Normal - b.Normal).norm();
+  constexpr double Farthest = 8.0; // spreads, beyond which the other has no part in it
+  if (std::abs(gap) >= Farthest * spread)
+  {
+    return gap >= 0.0 ? a : b;
+  }
+  const double x = gap / spread;
+  const double share = 0.5 * std::erfc(-x / std::sqrt(2.0));
+  const double density = std::exp(-0.5 * x * x) / std::sqrt(2.0 * Pi);
+  return { share * a.Distance + (1.0 - share) * b.Distance + sign * spread * density,
+    share * a.Normal + (1.0 - share) * b.Normal };
+}
 }
 
 void LocalSolid::AddSheet(const Sheet& sheet, const std::vector<SheetSample>& samples)
@@ -37,16 +60,22 @@ void LocalSolid::AddSheet(const Sheet& sheet, const std::vector<SheetSample>& sa
   this->Samples.push_back(samples);
 }
 
-double LocalSolid::Value(const Vec3& point) const
+double LocalSolid::Distance(const Vec3& point) const
+{
+  return this->ValueAt(point, 0.0, false).Distance;
+}
+
+LocalSolid::Value LocalSolid::ValueAt(const Vec3& point, double width, bool normals) const
 {
   Members all;
-  std::vector<double> distances;
+  std::vector<Value> values;
   for (std::size_t k = 0; k < this->Sheets.size(); ++k)
   {
     all.push_back(static_cast<int>(k));
-    distances.push_back(this->Sheets[k].Distance(point));
+    values.push_back({ this->Sheets[k].Distance(point),
+      normals ? this->Sheets[k].Normal(point) : Vec3(Vec3::Zero()) });
   }
-  return this->ValueOf(all, distances);
+  return this->ValueOf(all, values, width);
 }
 
 std::vector<LocalSolid::Members> LocalSolid::Groups(const Members& members, bool convex) const
@@ -78,11 +107,12 @@ std::vector<LocalSolid::Members> LocalSolid::Groups(const Members& members, bool
   return groups;
 }
 
-double LocalSolid::ValueOf(const Members& members, const std::vector<double>& distances) const
+LocalSolid::Value LocalSolid::ValueOf(
+  const Members& members, const std::vector<Value>& values, double width) const
 {
   if (members.size() == 1)
   {
-    return distances[members.front()];
+    return values[members.front()];
   }
   // Groups that no convex pair connects are concave to each other, and the other way round.
   for (const bool convex : { true, false })
@@ -90,16 +120,15 @@ double LocalSolid::ValueOf(const Members& members, const std::vector<double>& di
     const std::vector<Members> groups = this->Groups(members, convex);
     if (groups.size() > 1)
     {
-      double value = this->ValueOf(groups.front(), distances);
+      Value value = this->ValueOf(groups.front(), values, width);
       for (std::size_t g = 1; g < groups.size(); ++g)
       {
-        const double other = this->ValueOf(groups[g], distances);
-        value = convex ? std::min(value, other) : std::max(value, other);
+        value = Meeting(value, this->ValueOf(groups[g], values, width), !convex, width);
       }
       return value;
     }
   }
   // No tree describes them: leave out the last, the farthest away.
-  return this->ValueOf(Members(members.begin(), members.end() - 1), distances);
+  return this->ValueOf(Members(members.begin(), members.end() - 1), values, width);
 }
 }

@@ -9,19 +9,41 @@
 
 #include "Sheet.h"
 
+#include "ArrisFiltersModule.h" // for the export macro
+
 namespace arris
 {
 /// Two sheets meet convexly if each lies inside the other's half space, concavely if each lies
 /// outside. The solid is then a tree: sheets that are convex to each other intersect (the largest
 /// distance counts), concave ones unite (the smallest). Convex, concave and mixed corners are one
 /// case.
-class LocalSolid
+class ARRISFILTERS_EXPORT LocalSolid
 {
 public:
   void AddSheet(const Sheet& sheet, const std::vector<SheetSample>& samples);
 
-  /// The distance of the solid's active sheet at the point; positive outside.
-  double Value(const Vec3& point) const;
+  /// Forgets the samples, which only further sheets need.
+  void Close() { this->Samples = {}; }
+
+  /// A distance, positive outside, and the direction in which it grows.
+  struct Value
+  {
+    double Distance;
+    Vec3 Normal;
+  };
+
+  /// The distance of the solid's active sheet at the point.
+  double Distance(const Vec3& point) const;
+
+  /// The same with its normal.
+  Value SharpValue(const Vec3& point) const { return this->ValueAt(point, 0.0, true); }
+
+  /// The same after a Gaussian of this width has blurred the distances: zero on the surface of the
+  /// blurred solid.
+  Value BlurredValue(const Vec3& point, double width) const
+  {
+    return this->ValueAt(point, width, true);
+  }
 
 private:
   using Members = std::vector<int>;
@@ -29,7 +51,8 @@ private:
   {
     return this->MeanDistances[a][b] + this->MeanDistances[b][a] < 0.0;
   }
-  double ValueOf(const Members& members, const std::vector<double>& distances) const;
+  Value ValueAt(const Vec3& point, double width, bool normals) const;
+  Value ValueOf(const Members& members, const std::vector<Value>& values, double width) const;
   std::vector<Members> Groups(const Members& members, bool convex) const;
 
   std::vector<Sheet> Sheets;

@@ -17,6 +17,9 @@ struct SharpRegion
   double Rounding; ///< 0 where the mesh's edges were cut off, 1 where they were rounded as well
 };
 
+/// A rounding from which on it is a blur's, of all edges; below, that of some.
+constexpr double BlurRounding = 0.5;
+
 /// From which turn on an edge is sharp, in degrees.
 struct EdgeAngles
 {

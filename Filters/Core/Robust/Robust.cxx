@@ -58,10 +58,9 @@ public:
     {
       return {};
     }
-    const int passes = this->IsRough() ? 1 : RecoveryPasses;
-    for (int pass = 0; pass < passes; ++pass)
+    for (int pass = 0; pass < RecoveryPasses && !(pass > 0 && this->IsMovedAllOver()); ++pass)
     {
-      const double part = (1.0 - Smooth) / passes;
+      const double part = (1.0 - Smooth) / RecoveryPasses;
       if (!this->RunPass(this->TheMonitor.Part(Smooth + pass * part, Smooth + (pass + 1) * part)))
       {
         return {};
@@ -77,6 +76,10 @@ public:
 
 private:
   bool IsRough() const { return this->Result.Rough.Degree > 0.0; }
+
+  /// Whether noise or a blur has moved what is intact as well. A second pass would hold what the
+  /// first has recovered against it.
+  bool IsMovedAllOver() const { return this->IsRough() || this->Result.Rounding > BlurRounding; }
 
   /// What is rough is worked on in a smooth copy.
   bool TakeSmoothCopy()

@@ -253,6 +253,22 @@ void Sheet::Reweight(Fitting& fitting) const
   }
 }
 
+void Sheet::Unblur(double width)
+{
+  // Away from the middle of a bend its radii are larger, so how far it was moved depends on itself.
+  constexpr int Steps = 4;
+  const double w = width / this->Scale;
+  const double u = this->BendingU, v = this->BendingW;
+  double outward = 0.0;
+  for (int step = 0; step < Steps; ++step)
+  {
+    outward = -0.5 * w * w * (u / (1.0 - u * outward) + v / (1.0 - v * outward));
+  }
+  this->Origin += outward * this->Scale * this->N;
+  this->BendingU = u / (1.0 - u * outward);
+  this->BendingW = v / (1.0 - v * outward);
+}
+
 double Sheet::Distance(const Vec3& point) const
 {
   const Vec3 d = (point - this->Origin) / this->Scale;

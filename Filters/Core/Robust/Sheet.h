@@ -46,6 +46,10 @@ public:
   /// length. At least one sample.
   Sheet(const std::vector<SheetSample>& samples, double scale, const SheetCaution& caution);
 
+  /// Puts a bent sheet back to where it was before its distances were blurred by a Gaussian of this
+  /// width, which moves a surface by half the squared width times the sum of its curvatures.
+  void Unblur(double width);
+
   /// Distance from the sheet, to first order; positive outside.
   double Distance(const Vec3& point) const;
 

@@ -21,8 +21,10 @@ constexpr double WeightDepth = 1.5;
 constexpr double RoughWeightDepth = 2.5;
 constexpr std::size_t MostSides = 8;
 
-/// λτ at which a sample's weight falls to 1/e: what bends is contaminated or another face.
-constexpr double FlatnessScale = 0.2;
+/// Where a blur has been undone there are samples near, but those in its reach (in its widths) are
+/// the less certain: sheets are fitted as widely as if none were in it.
+constexpr double UnblurredDistance = 5.0;
+
 constexpr double BorderWeight = 0.3; // of samples that touch the sharp region
 constexpr double BlendedBorderWeight = 0.1;
 
@@ -51,7 +53,7 @@ std::vector<Side> SideFinder::FitAround(Index vertex, LocalSolid& solid)
   this->GatherStatic(vertex, Reach(this->Around.Roughness) * scale);
   for (const NearVertex& near : this->Static) // nearest first
   {
-    const Index patch = this->ThePatches.PatchOf[near.Vertex];
+    const Index patch = this->From.ThePatches.PatchOf[near.Vertex];
     const bool known = std::any_of(
       sides.begin(), sides.end(), [patch](const Side& side) { return side.Patch == patch; });
     if (!known && sides.size() < MostSides && near.Distance <= SearchRadius * scale)
@@ -66,12 +68,13 @@ std::vector<Side> SideFinder::FitAround(Index vertex, LocalSolid& solid)
   for (Side& side : sides)
   {
     this->Fit(vertex, side);
-    solid.AddSheet(side.Surface, this->Samples);
+    solid.AddSheet(side.Surface, this->Fitted);
   }
+  solid.Close();
   return sides;
 }
 
-void SideFinder::Find(IndexSpan vertices, const std::vector<std::vector<Side>*>& sides)
+LocalSolid SideFinder::Find(IndexSpan vertices, const std::vector<std::vector<Side>*>& sides)
 {
   LocalSolid solid;
   const std::vector<Side> shared = this->FitAround(*vertices.begin(), solid);
@@ -85,7 +88,7 @@ void SideFinder::Find(IndexSpan vertices, const std::vector<std::vector<Side>*>&
       continue;
     }
     const Vec3& x = this->Around.TheMesh.Points[v];
-    const double active = solid.Value(x);
+    const double active = solid.Distance(x);
     constexpr double TieBreaker = 0.02;
     for (Side& side : own)
     {
@@ -93,16 +96,17 @@ void SideFinder::Find(IndexSpan vertices, const std::vector<std::vector<Side>*>&
       side.Cost = std::abs(s - active) + TieBreaker * std::abs(s);
     }
   }
+  return solid;
 }
 
 void SideFinder::GatherStatic(Index vertex, double radius)
 {
-  const std::vector<Vec3>& points = this->Around.TheMesh.Points;
-  const Vec3& x = points[vertex];
+  const std::vector<Vec3>& points = this->From.Points;
+  const Vec3& x = this->Around.TheMesh.Points[vertex];
   this->Static.clear();
   for (Index v : this->Near.Gather(points, this->Around.TheConnectivity, vertex, x, radius))
   {
-    if (!this->Region[v])
+    if (!this->From.Region[v])
     {
       this->Static.push_back({ (points[v] - x).norm(), v });
     }
@@ -116,13 +120,14 @@ void SideFinder::Fit(Index vertex, Side& side)
 {
   const double scale = this->Around.Scales[vertex];
   const double roughness = this->Around.Roughness;
-  const double radius = side.Distance + Mixed(SampleDepth, RoughSampleDepth, roughness) * scale;
-  const double width = side.Distance + Mixed(WeightDepth, RoughWeightDepth, roughness) * scale;
+  const double distance = std::max(side.Distance, UnblurredDistance * this->From.BlurWidth * scale);
+  const double radius = distance + Mixed(SampleDepth, RoughSampleDepth, roughness) * scale;
+  const double width = distance + Mixed(WeightDepth, RoughWeightDepth, roughness) * scale;
   const double likeCosine = std::cos(LikeNormal * Pi / 180.0);
   const double borderWeight = Mixed(BorderWeight, BlendedBorderWeight, this->Around.Rounding);
   Vec3 normal = Vec3::Zero();
   Index piece = NoIndex;
-  this->Samples.clear();
+  this->Fitted.clear();
   for (const NearVertex& near : this->Static)
   {
     if (near.Distance > radius)
@@ -130,14 +135,14 @@ void SideFinder::Fit(Index vertex, Side& side)
       break;
     }
     const Index v = near.Vertex;
-    const bool own = this->ThePatches.PatchOf[v] == side.Patch;
+    const bool own = this->From.ThePatches.PatchOf[v] == side.Patch;
     if (piece == NoIndex && own)
     {
-      piece = this->ThePatches.PieceOf[v];
-      normal = this->Around.TheFaces.VertexNormals[v];
+      piece = this->From.ThePatches.PieceOf[v];
+      normal = this->From.Normals[v];
     }
-    const bool alike = piece != NoIndex && this->ThePatches.PieceOf[v] == piece &&
-      this->Around.TheFaces.VertexNormals[v].dot(normal) >= likeCosine;
+    const bool alike = piece != NoIndex && this->From.ThePatches.PieceOf[v] == piece &&
+      this->From.Normals[v].dot(normal) >= likeCosine;
     if (!own && !alike)
     {
       continue;
@@ -145,19 +150,19 @@ void SideFinder::Fit(Index vertex, Side& side)
     bool border = false;
     for (Index n : this->Around.TheConnectivity.NeighborsOfVertex[v])
     {
-      border = border || this->Region[n];
+      border = border || this->From.Region[n];
     }
     const double d = near.Distance / width;
-    const double weight = std::exp(-2.0 * d * d - this->Around.Flatness[v] / FlatnessScale) *
+    const double weight = std::exp(-2.0 * d * d - this->From.Flatness[v] / FlatnessScale) *
       (border ? borderWeight : 1.0);
-    this->Samples.push_back(
-      { this->Around.TheMesh.Points[v], this->Around.TheFaces.VertexNormals[v], weight });
+    this->Fitted.push_back({ this->From.Points[v], this->From.Normals[v], weight });
   }
   SheetCaution caution;
   caution.CurvedGain =
     Mixed(caution.CurvedGain, BlendedCurvedGain, this->Around.Rounding * (1.0 - roughness));
   caution.FlatResidual = Mixed(caution.FlatResidual, RoughFlatResidual, roughness);
   caution.Ridge = Mixed(caution.Ridge, RoughRidge, roughness);
-  side.Surface = Sheet(this->Samples, scale, caution);
+  side.Surface = Sheet(this->Fitted, scale, caution);
+  side.Surface.Unblur(this->From.BlurWidth * scale);
 }
 }

@@ -10,6 +10,7 @@
 #include "Patches.h"
 #include "LocalSolid.h"
 #include "NearVertices.h"
+#include "Region.h"
 
 namespace arris
 {
@@ -23,6 +24,24 @@ struct Surroundings
   const std::vector<double>& Flatness; ///< λτ of each vertex
   double Rounding; ///< how far the sampling has rounded edges, 0 to 1
   double Roughness; ///< how rough the input was, 0 to 1
+
+  /// Whether a blur has rounded all edges; what is rough is round as well, but by no blur that a
+  /// width describes.
+  bool IsBlurred() const { return this->Rounding > BlurRounding && this->Roughness == 0.0; }
+};
+
+/// λτ at which a sample's weight falls to 1/e: what bends is contaminated or another face.
+constexpr double FlatnessScale = 0.2;
+
+/// What sides are fitted to.
+struct Samples
+{
+  const std::vector<Vec3>& Points;
+  const std::vector<Vec3>& Normals;
+  const std::vector<double>& Flatness; ///< λτ of each vertex: the more, the less it counts
+  const Flags& Region; ///< without the vertices in here
+  const Patches& ThePatches;
+  double BlurWidth; ///< of a blur that has been undone, in local scales; else 0
 };
 
 /// One of the faces around a vertex.
@@ -38,10 +57,9 @@ struct Side
 class SideFinder
 {
 public:
-  SideFinder(const Surroundings& around, const Flags& region, const Patches& patches)
+  SideFinder(const Surroundings& around, const Samples& samples)
     : Around(around)
-    , Region(region)
-    , ThePatches(patches)
+    , From(samples)
   {
   }
 
@@ -49,8 +67,9 @@ public:
   static double Reach(double roughness);
 
   /// The sides of vertices near each other, the first in their middle: fitted there, and for each
-  /// vertex how well it fits them. `sides` has one row for each vertex.
-  void Find(IndexSpan vertices, const std::vector<std::vector<Side>*>& sides);
+  /// vertex how well it fits them. `sides` has one row for each vertex. Returns the solid that the
+  /// sides bound.
+  LocalSolid Find(IndexSpan vertices, const std::vector<std::vector<Side>*>& sides);
 
 private:
   struct NearVertex
@@ -64,11 +83,10 @@ private:
   void Fit(Index vertex, Side& side);
 
   const Surroundings& Around;
-  const Flags& Region;
-  const Patches& ThePatches;
+  const Samples& From;
   NearVertices Near;
   std::vector<NearVertex> Static; ///< the intact ones, nearest first
-  std::vector<SheetSample> Samples;
+  std::vector<SheetSample> Fitted;
 };
 }
 

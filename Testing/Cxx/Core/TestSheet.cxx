@@ -97,3 +97,18 @@ TEST(Sheet, OfOneSampleIsItsTangentPlane)
   const Sheet sheet({ { Vec3(1.0, 2.0, 3.0), Vec3::UnitX(), 1.0 } }, Scale, Caution);
   EXPECT_DOUBLE_EQ(sheet.Distance(Vec3(4.0, 0.0, 0.0)), 3.0);
 }
+
+TEST(Sheet, OfABlurredSphereGoesBackToTheSphere)
+{
+  Sheet sheet(SamplesBeside(OnSphere), Scale, Caution);
+  const double width = 0.5 * Scale;
+  sheet.Unblur(width);
+  // The mean of the distance from a sphere is greater by half the squared width times 2 / radius:
+  // it is zero that much inside.
+  const double blurred = 8.0 * Scale;
+  const double radius = 0.5 * (blurred + std::sqrt(blurred * blurred + 4.0 * width * width));
+  for (const double u : { 0.0, -2.0 })
+  {
+    EXPECT_NEAR(sheet.Distance(OnSphere(Scale * u, 0.5)), blurred - radius, 1e-4 * Scale) << u;
+  }
+}

@@ -12,6 +12,7 @@
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
+#include <vtkImageGaussianSmooth.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -146,11 +147,11 @@ inline double CellWidth(int samples)
   return 2.0 / (samples - 1);
 }
 
-/// What sampling leaves of a solid: the contour of its distance.
-inline vtkSmartPointer<vtkPolyData> Contour(const Solid& solid, int samples)
+/// The distance of a solid, positive inside, sampled in [-1, 1]^3.
+inline vtkSmartPointer<vtkImageData> DistanceImage(const Solid& solid, int samples)
 {
   const double width = CellWidth(samples);
-  vtkNew<vtkImageData> image;
+  auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(samples, samples, samples);
   image->SetOrigin(-1.0, -1.0, -1.0);
   image->SetSpacing(width, width, width);
@@ -164,6 +165,11 @@ inline vtkSmartPointer<vtkPolyData> Contour(const Solid& solid, int samples)
     distance->SetValue(i, static_cast<float>(solid.SignedDistance(p)));
   }
   image->GetPointData()->SetScalars(distance);
+  return image;
+}
+
+inline vtkSmartPointer<vtkPolyData> ContourOfImage(vtkImageData* image)
+{
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(image);
   contour->SetValue(0, 0.0);
@@ -171,6 +177,23 @@ inline vtkSmartPointer<vtkPolyData> Contour(const Solid& solid, int samples)
   contour->ComputeScalarsOff();
   contour->Update();
   return contour->GetOutput();
+}
+
+/// What sampling leaves of a solid: the contour of its distance.
+inline vtkSmartPointer<vtkPolyData> Contour(const Solid& solid, int samples)
+{
+  return ContourOfImage(DistanceImage(solid, samples));
+}
+
+/// The same, of the distance after a Gaussian of this width (in cells) has blurred it.
+inline vtkSmartPointer<vtkPolyData> BlurredContour(const Solid& solid, int samples, double width)
+{
+  vtkNew<vtkImageGaussianSmooth> blur;
+  blur->SetInputData(DistanceImage(solid, samples));
+  blur->SetStandardDeviation(width);
+  blur->SetRadiusFactor(4.0);
+  blur->Update();
+  return ContourOfImage(blur->GetOutput());
 }
 }
 }
