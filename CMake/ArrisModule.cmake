@@ -16,6 +16,7 @@ set(sources
   Filters/Core/Curves.cxx
   Filters/Core/EdgeGraph.cxx
   Filters/Core/Flagged.cxx
+  Filters/Core/FreeBoundary.cxx
   Filters/Core/Geometry.cxx
   Filters/Core/Intersections.cxx
   Filters/Core/Mesh.cxx
@@ -29,7 +30,12 @@ set(sources
   Filters/Core/Thinning.cxx
   Filters/Core/TriangleCrossing.cxx
   Filters/Core/Ussod.cxx
+  Filters/Core/Assembly/Assembly.cxx
   Filters/Core/Assembly/CoincidentPoints.cxx
+  Filters/Core/Assembly/Fans.cxx
+  Filters/Core/Assembly/Orientation.cxx
+  Filters/Core/Assembly/PatchesApart.cxx
+  Filters/Core/Assembly/Welding.cxx
   Filters/Core/Features/CurveProperties.cxx
   Filters/Core/Features/FeatureCorners.cxx
   Filters/Core/Features/FeatureEdges.cxx
@@ -53,6 +59,7 @@ set(sources
   Filters/Core/Robust/Creases.cxx
   Filters/Core/Robust/Denoised.cxx
   Filters/Core/Robust/Faces.cxx
+  Filters/Core/Robust/Junctions.cxx
   Filters/Core/Robust/Labels.cxx
   Filters/Core/Robust/Labelling.cxx
   Filters/Core/Robust/LocalSolid.cxx

@@ -57,6 +57,11 @@ struct ARRISFILTERS_EXPORT Connectivity
   /// of the 2-manifold patches of a non-manifold one.
   Flags OnBoundary;
 
+  /// In an assembly of patches (see Assembly.h), for each triangle its patch, and 1 for the
+  /// vertices that several patches have in common; else both are empty.
+  std::vector<Index> PatchOf;
+  Flags Common;
+
   Connectivity() = default;
   explicit Connectivity(const Mesh& mesh);
 };

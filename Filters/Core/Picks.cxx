@@ -40,7 +40,7 @@ public:
     }
     // The distance test after the grid is exact, so one grid serves all radii.
     this->Grid = std::make_unique<WindowGrid>(mesh, averageEdgeLength);
-    auto window = std::make_shared<SpatialWindow>(mesh, *this->Grid);
+    auto window = std::make_shared<SpatialWindow>(mesh, connectivity, *this->Grid);
     this->Gather = [window](Index vertex, double radius) -> const std::vector<Index>&
     { return window->Gather(vertex, radius); };
   }

@@ -7,13 +7,13 @@
 
 namespace arris
 {
-Vec3 Predictor::Position(double longest) const
+Vec3 Predictor::Position(double longest, int most) const
 {
   // C is symmetric and positive, so its eigenvectors are its singular vectors.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(this->C);
   const double least = SmallEigenvalue * solver.eigenvalues()[2];
   Vec3 translation = Vec3::Zero();
-  for (int i = 0; i < 3; ++i)
+  for (int i = 3 - most; i < 3; ++i)
   {
     const double eigenvalue = solver.eigenvalues()[i];
     if (eigenvalue > least)

@@ -31,10 +31,14 @@ public:
     this->B += weight * normal.dot(point - this->Center) * normal;
   }
 
+  /// The weights of all planes together.
+  double Weight() const { return this->C.trace(); }
+
   /// p_c + X for the X of least norm that solves CX = B, cut to `longest` (the paper: 4 L).
   /// Directions whose eigenvalue of C is under `SmallEigenvalue` times the largest are left free,
   /// as the singular value decomposition of the paper does.
-  Vec3 Position(double longest) const;
+  /// So are all but the `most` largest.
+  Vec3 Position(double longest, int most = 3) const;
 
   /// Below this part of the largest eigenvalue the planes are taken to agree: normals that differ
   /// by less than about 8° (sin² 8° = 0.02, as two equal planes at angle a have the eigenvalues

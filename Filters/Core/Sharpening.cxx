@@ -4,6 +4,7 @@
 #include "Sharpening.h"
 
 #include "ConnectedWindow.h"
+#include "FreeBoundary.h"
 #include "Geometry.h"
 #include "Predictor.h"
 #include "Thinning.h"
@@ -53,6 +54,11 @@ public:
   {
     std::transform(rounds.begin(), rounds.end(), this->Static.begin(),
       [](int round) -> unsigned char { return round == NeverSharp ? 1 : 0; });
+    Flags sharp(rounds.size());
+    std::transform(this->Static.begin(), this->Static.end(), sharp.begin(),
+      [](unsigned char isStatic) -> unsigned char { return isStatic ? 0 : 1; });
+    this->Walls = FindWalls(
+      this->Current, connectivity, sharp, std::vector<double>(rounds.size(), averageEdgeLength));
   }
 
   /// Predicts all vertices of the group from the static triangles, then moves them and makes them
@@ -152,7 +158,7 @@ private:
       Predictor predictor(center);
       if (this->AddStaticPlanes(window.Gather(vertex, radius), predictor) > 0)
       {
-        return predictor.Position(this->Longest);
+        return this->InWall(vertex, predictor);
       }
       if (!std::isfinite(window.NextDistance()))
       {
@@ -164,12 +170,33 @@ private:
     }
   }
 
+  /// What the predictor says, but on the free boundary if the vertex was there.
+  Vec3 InWall(Index vertex, Predictor& predictor) const
+  {
+    if (this->Walls.empty() ||
+      (this->Walls[vertex].Normal.isZero(0.0) && !this->Walls[vertex].Fixed))
+    {
+      return predictor.Position(this->Longest);
+    }
+    const Vec3& before = this->Current.Points[vertex]; // each vertex moves once
+    if (this->Walls[vertex].Fixed)
+    {
+      return before;
+    }
+    // As heavy as all other planes together, so that it is no sliver of them; then exactly.
+    const Vec3& normal = this->Walls[vertex].Normal;
+    predictor.AddPlane(before, normal, predictor.Weight());
+    const Vec3 position = predictor.Position(this->Longest);
+    return position - normal.dot(position - before) * normal;
+  }
+
   Mesh Current;
   const Connectivity& TheConnectivity;
   const Skeleton& TheSkeleton;
   Flags Static;
   double WindowRadius;
   double Longest;
+  std::vector<Wall> Walls; // of sharp vertices on free boundaries; empty if there are none
 };
 
 /// The vertices of each thinning round, 1 first; the skeleton is not among them.

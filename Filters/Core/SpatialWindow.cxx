@@ -69,13 +69,24 @@ WindowGrid::WindowGrid(const Mesh& mesh, double radius)
 
 WindowGrid::~WindowGrid() = default;
 
-SpatialWindow::SpatialWindow(const Mesh& mesh, const WindowGrid& grid)
+SpatialWindow::SpatialWindow(
+  const Mesh& mesh, const Connectivity& connectivity, const WindowGrid& grid)
   : TheMesh(mesh)
+  , TheConnectivity(connectivity)
   , Grid(grid)
 {
 }
 
 SpatialWindow::~SpatialWindow() = default;
+
+bool SpatialWindow::SharesPatch(Index vertex, Index triangle) const
+{
+  const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
+  const IndexSpan around = this->TheConnectivity.TrianglesOfVertex[vertex];
+  return patchOf.empty() ||
+    std::any_of(
+      around.begin(), around.end(), [&](Index own) { return patchOf[own] == patchOf[triangle]; });
+}
 
 const std::vector<Index>& SpatialWindow::Gather(Index vertex, double radius)
 {
@@ -93,7 +104,8 @@ const std::vector<Index>& SpatialWindow::Gather(Index vertex, double radius)
   for (vtkIdType i = 0; i < this->Found->GetNumberOfIds(); ++i)
   {
     const Index t = static_cast<Index>(this->Found->GetId(i));
-    if (SquaredDistance(center, Corners(this->TheMesh, t)) <= radius * radius)
+    if (this->SharesPatch(vertex, t) &&
+      SquaredDistance(center, Corners(this->TheMesh, t)) <= radius * radius)
     {
       this->Window.push_back(t);
     }

@@ -36,18 +36,22 @@ private:
 };
 
 /// Gathers the triangles within a distance of a vertex, whether or not the surface connects them.
-/// Keeps its working memory from one vertex to the next: use one object a thread.
+/// In an assembly, those of the patches that hold the vertex. Keeps its working memory from one
+/// vertex to the next: use one object a thread.
 class ARRISFILTERS_EXPORT SpatialWindow
 {
 public:
-  SpatialWindow(const Mesh& mesh, const WindowGrid& grid);
+  SpatialWindow(const Mesh& mesh, const Connectivity& connectivity, const WindowGrid& grid);
   ~SpatialWindow();
 
   /// The triangles of the window, ascending. Valid until the next call.
   const std::vector<Index>& Gather(Index vertex, double radius);
 
 private:
+  bool SharesPatch(Index vertex, Index triangle) const;
+
   const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
   const WindowGrid& Grid;
   vtkNew<vtkIdList> Found;
   std::vector<Index> Window;

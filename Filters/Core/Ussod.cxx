@@ -42,8 +42,8 @@ std::vector<double> NormalDifferences(const Mesh& mesh, const Connectivity& conn
       windowRadius, monitor);
   }
   const WindowGrid grid(mesh, windowRadius);
-  return DifferencesBy(
-    [&] { return SpatialWindow(mesh, grid); }, mesh, unitNormals, windowRadius, monitor);
+  return DifferencesBy([&] { return SpatialWindow(mesh, connectivity, grid); }, mesh, unitNormals,
+    windowRadius, monitor);
 }
 
 Flags SharpRegion(const std::vector<double>& normalDifferences, double sharpAngle)

@@ -38,7 +38,7 @@ SkeletonRole RoleOf(const Connectivity& connectivity, const Placement& placement
   {
     return SkeletonRole::None;
   }
-  if (faces > 2)
+  if (faces > 2 && !placement.IsOnCurve(v))
   {
     return SkeletonRole::Joint;
   }

@@ -44,7 +44,7 @@ public:
   }
 
   /// Takes a connected part of the region and gathers the intact vertices around it; false if it
-  /// is too large or comes near another part.
+  /// is too large, comes near another part, or is on a boundary and not surrounded.
   bool Gather(const std::vector<Index>& members)
   {
     if (members.size() > MostVertices)
@@ -53,12 +53,13 @@ public:
     }
     this->Members = members;
     this->Rim.clear();
+    bool alone = true;
     for (Index v : members)
     {
       this->Ring[v] = 0;
+      alone = alone && !this->Around.TheConnectivity.OnBoundary[v];
     }
     std::vector<Index> reached = this->Members;
-    bool alone = true;
     for (std::size_t next = 0; next < reached.size(); ++next)
     {
       const Index v = reached[next];

@@ -12,7 +12,7 @@
 
 namespace arris
 {
-Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets)
+Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets, int most)
 {
   constexpr int Steps = 6;
   Vec3 point = start;
@@ -26,7 +26,7 @@ Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets)
       const Vec3 normal = sheet->Normal(point);
       predictor.AddPlane(point - sheet->Distance(point) * normal, normal, 1.0);
     }
-    const Vec3 next = predictor.Position(std::numeric_limits<double>::max());
+    const Vec3 next = predictor.Position(std::numeric_limits<double>::max(), most);
     const double moved = (next - point).norm();
     point = next;
     if (moved <= 1e-12 * (1.0 + point.norm()))

@@ -32,17 +32,14 @@ Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const L
   , Pinned(labelling.Sides.size(), 0)
   , TooFar(labelling.Sides.size(), 0)
   , GivenBack(labelling.Sides.size(), 0)
+  , OnCurve(labelling.Sides.size(), 0)
+  , Walls(labelling.Sides.size())
 {
 }
 
-void Placement::CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) const
+std::vector<Placement::Meeting> Placement::MeetingsAt(Index vertex) const
 {
-  struct Meeting
-  {
-    double Distance;
-    Index Label;
-    const Sheet* Surface;
-  };
+  const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
   std::vector<Meeting> meetings;
   for (Index t : this->TheConnectivity.TrianglesOfVertex[vertex])
   {
@@ -57,22 +54,105 @@ void Placement::CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) c
     {
       const Side* side =
         FindSide(this->TheLabelling.Sides[this->TheLabelling.SidesOf[vertex]], label);
-      meetings.push_back({ side ? side->Distance : 1e30, label, sheet });
+      meetings.push_back(
+        { side ? side->Distance : 1e30, label, patchOf.empty() ? 0 : patchOf[t], sheet });
     }
   }
   std::sort(meetings.begin(), meetings.end(),
     [](const Meeting& a, const Meeting& b)
     { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Label < b.Label; });
-  // Of faces with like normals the nearest speaks for all.
+  return meetings;
+}
+
+void Placement::CollectSheets(Index vertex)
+{
+  const std::vector<Meeting> meetings = this->MeetingsAt(vertex);
+  // Of faces with like normals the nearest speaks for all; patches may look either way.
+  const double like = std::cos(LeastCrossingAngle * Pi / 180.0);
   const Vec3& x = this->TheMesh.Points[vertex];
+  const auto isLike = [&](const Meeting& a, const Meeting& b)
+  {
+    const double cosine = a.Surface->Normal(x).dot(b.Surface->Normal(x));
+    return (a.Patch == b.Patch ? cosine : std::abs(cosine)) > like;
+  };
+  const Index damaged = this->TheLabelling.SidesOf[vertex];
+  std::vector<const Sheet*>& sheets = this->Sheets[damaged];
   sheets.clear();
+  std::vector<const Meeting*> kept;
   for (const Meeting& meeting : meetings)
   {
-    if (!IsSpokenFor(*meeting.Surface, sheets, x))
+    const bool spokenFor = std::any_of(
+      kept.begin(), kept.end(), [&](const Meeting* other) { return isLike(*other, meeting); });
+    if (!spokenFor)
     {
+      kept.push_back(&meeting);
       sheets.push_back(meeting.Surface);
     }
   }
+  // All faces count here, also one of this patch that one of another has spoken for.
+  const auto onePerPatch = [&]
+  {
+    return std::all_of(meetings.begin(), meetings.end(),
+      [&](const Meeting& a)
+      {
+        return std::all_of(meetings.begin(), meetings.end(),
+          [&](const Meeting& b) { return a.Patch != b.Patch || isLike(a, b); });
+      });
+  };
+  const bool insideJunction = !this->InsideJunctions.empty() && this->InsideJunctions[vertex];
+  this->OnCurve[damaged] =
+    sheets.size() == 2 || (sheets.size() > 2 && insideJunction && onePerPatch());
+}
+
+Vec3 Placement::OnSheets(Index vertex, const Vec3& start) const
+{
+  const std::vector<const Sheet*>& sheets = this->SheetsOf(vertex);
+  if (const Sheet* wall = this->Walls[this->TheLabelling.SidesOf[vertex]].get())
+  {
+    std::vector<const Sheet*> all = sheets;
+    all.push_back(wall);
+    return MeetSheets(start, all);
+  }
+  return MeetSheets(start, sheets, sheets.size() > 2 && this->IsOnCurve(vertex) ? 2 : 3);
+}
+
+void Placement::SetWalls(const std::vector<Wall>& walls)
+{
+  for (std::size_t v = 0; v < walls.size(); ++v)
+  {
+    const Index damaged = this->TheLabelling.SidesOf[v];
+    if (damaged == NoIndex)
+    {
+      continue;
+    }
+    const Vec3& x = this->TheMesh.Points[v];
+    if (walls[v].Fixed)
+    {
+      this->Pin(static_cast<Index>(v), x);
+    }
+    else if (!walls[v].Normal.isZero(0.0))
+    {
+      this->Walls[damaged] = std::make_unique<Sheet>(x, walls[v].Normal);
+    }
+  }
+}
+
+int Placement::Freedom(Index vertex, Vec3& along) const
+{
+  const std::vector<const Sheet*>& sheets = this->SheetsOf(vertex);
+  const Sheet* wall = this->Walls[this->TheLabelling.SidesOf[vertex]].get();
+  if (sheets.empty() || (sheets.size() > 1 && (wall || !this->IsOnCurve(vertex))))
+  {
+    return 0;
+  }
+  const Sheet* second = sheets.size() > 1 ? sheets[1] : wall;
+  if (second == nullptr)
+  {
+    return 2;
+  }
+  const Vec3& point = this->PointOf(vertex);
+  along = sheets[0]->Normal(point).cross(second->Normal(point)).normalized();
+  return 1;
 }
 
 void Placement::Pin(Index vertex, const Vec3& point)
@@ -90,14 +170,14 @@ void Placement::Place(Index vertex)
     return;
   }
   std::vector<const Sheet*>& sheets = this->Sheets[this->TheLabelling.SidesOf[vertex]];
-  this->CollectSheets(vertex, sheets);
+  this->CollectSheets(vertex);
   const Vec3& x = this->TheMesh.Points[vertex];
   this->Points[vertex] = x;
   this->TooFar[this->TheLabelling.SidesOf[vertex]] = 0;
   this->GivenBack[this->TheLabelling.SidesOf[vertex]] = 0;
   if (!sheets.empty())
   {
-    const Vec3 point = MeetSheets(x, sheets);
+    const Vec3 point = this->OnSheets(vertex, x);
     const double move = (point - x).norm() / this->Scales[vertex];
     if (move > LongestMove)
     {
@@ -118,7 +198,7 @@ bool Placement::IsWithinReach(Index vertex, const Vec3& point) const
 
 Vec3 Placement::Held(Index vertex, const Vec3& target) const
 {
-  const Vec3 point = MeetSheets(target, this->SheetsOf(vertex));
+  const Vec3 point = this->OnSheets(vertex, target);
   return this->IsWithinReach(vertex, point) ? point : this->Points[vertex];
 }
 

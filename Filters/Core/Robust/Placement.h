@@ -8,7 +8,10 @@
 #ifndef arris_Robust_Placement_h
 #define arris_Robust_Placement_h
 
+#include "Core/FreeBoundary.h"
 #include "Ridge.h"
+
+#include <memory>
 
 namespace arris
 {
@@ -42,6 +45,28 @@ public:
 
   Index LabelOf(Index triangle) const { return this->FaceLabels[triangle]; }
   void SetLabel(Index triangle, Index label) { this->FaceLabels[triangle] = label; }
+
+  /// Tells which vertices are inside the curves where patches of an assembly meet.
+  void SetJunctions(Flags insideJunctions) { this->InsideJunctions = std::move(insideJunctions); }
+
+  /// Keeps the damaged vertices on free boundaries (see FindWalls) in their walls.
+  void SetWalls(const std::vector<Wall>& walls);
+
+  bool HasWall(Index vertex) const
+  {
+    return this->Walls[this->TheLabelling.SidesOf[vertex]] != nullptr;
+  }
+
+  /// In how many directions a damaged vertex can be slid while it is held: 2 on a face, 1 on a
+  /// ridge or on the boundary of a face, 0 in a corner. Where it is 1, `along` is its direction.
+  int Freedom(Index vertex, Vec3& along) const;
+
+  /// Whether a damaged vertex is held on a curve: where two faces meet, or any number of patches
+  /// with one face each.
+  bool IsOnCurve(Index vertex) const
+  {
+    return this->OnCurve[this->TheLabelling.SidesOf[vertex]] != 0;
+  }
 
   /// The sheets a damaged vertex is held on; empty where it is not held, and stays.
   const std::vector<const Sheet*>& SheetsOf(Index vertex) const
@@ -84,7 +109,17 @@ public:
   std::vector<Vec3> TakePoints() { return std::move(this->Points); }
 
 private:
-  void CollectSheets(Index vertex, std::vector<const Sheet*>& sheets) const;
+  struct Meeting
+  {
+    double Distance;
+    Index Label;
+    Index Patch; ///< of the assembly
+    const Sheet* Surface;
+  };
+
+  std::vector<Meeting> MeetingsAt(Index vertex) const;
+  void CollectSheets(Index vertex);
+  Vec3 OnSheets(Index vertex, const Vec3& start) const;
 
   const Mesh& TheMesh;
   const Connectivity& TheConnectivity;
@@ -96,6 +131,9 @@ private:
   Flags Pinned; // of the damaged vertices, as Sheets
   Flags TooFar; // the same
   Flags GivenBack; // the same
+  Flags OnCurve; // the same
+  std::vector<std::unique_ptr<Sheet>> Walls; // the same; null where there is none
+  Flags InsideJunctions; // of all vertices; empty if there are none
 };
 }
 

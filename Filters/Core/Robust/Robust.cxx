@@ -8,6 +8,7 @@
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
 #include "Denoised.h"
+#include "Junctions.h"
 #include "MeetingEdges.h"
 #include "Placement.h"
 #include "Retreat.h"
@@ -35,14 +36,24 @@ constexpr int RecoveryPasses = 2;
 /// As far as a turn looks, in edges.
 constexpr int TurnReach = 6;
 
-/// The steps of the method, in order, on one mesh.
+/// An assembly whose patches are worked on apart.
+struct Whole
+{
+  const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
+  const PatchesApart& Apart;
+};
+
+/// The steps of the method, in order, on one mesh: on one 2-manifold, or on the patches of an
+/// assembly with vertices of their own. Their common vertices are brought together to be placed.
 class Recovery
 {
 public:
-  Recovery(const Mesh& input, const Connectivity& connectivity, double averageEdgeLength,
-    const RobustParameters& parameters, const Monitor& monitor)
+  Recovery(const Mesh& input, const Connectivity& connectivity, const Whole* whole,
+    double averageEdgeLength, const RobustParameters& parameters, const Monitor& monitor)
     : Input(input)
     , TheConnectivity(connectivity)
+    , Together(whole)
     , AverageEdgeLength(averageEdgeLength)
     , Parameters(parameters)
     , TheMonitor(monitor)
@@ -52,8 +63,8 @@ public:
 
   RobustResult Run()
   {
-    this->Result.Region.assign(this->Input.Points.size(), 0);
-    this->Result.Outcomes.assign(this->Input.Points.size(), Outcome::Intact);
+    this->Result.Region.assign(this->WholeCount(), 0);
+    this->Result.Outcomes.assign(this->WholeCount(), Outcome::Intact);
     if (!this->TakeSmoothCopy())
     {
       return {};
@@ -71,6 +82,10 @@ public:
       return {};
     }
     this->Result.Points = std::move(this->Work.Points);
+    this->Result.Points.resize(this->WholeCount());
+    this->TellOfWhole(this->Result.WindowRadii);
+    this->TellOfWhole(this->Result.NormalDifferences);
+    this->TellOfWhole(this->Result.Jumps);
     return std::move(this->Result);
   }
 
@@ -80,6 +95,27 @@ private:
   /// Whether noise or a blur has moved what is intact as well. A second pass would hold what the
   /// first has recovered against it.
   bool IsMovedAllOver() const { return this->IsRough() || this->Result.Rounding > BlurRounding; }
+
+  std::size_t WholeCount() const
+  {
+    return this->Together ? this->Together->TheMesh.Points.size() : this->Input.Points.size();
+  }
+
+  Index WholeOf(std::size_t part) const
+  {
+    return this->Together ? this->Together->Apart.WholeOf[part] : static_cast<Index>(part);
+  }
+
+  /// Of the values of its parts, a vertex of the whole has the largest.
+  void TellOfWhole(std::vector<double>& values) const
+  {
+    for (std::size_t part = this->WholeCount(); part < values.size(); ++part)
+    {
+      double& value = values[this->WholeOf(part)];
+      value = std::max(value, values[part]);
+    }
+    values.resize(this->WholeCount());
+  }
 
   /// What is rough is worked on in a smooth copy.
   bool TakeSmoothCopy()
@@ -91,6 +127,10 @@ private:
       ? DenoisedPoints(this->Input, this->TheConnectivity, this->Scales, this->Result.Rough,
           this->TheMonitor.Part(0.0, Smooth))
       : this->Input.Points;
+    if (this->Together && this->Work.Points.size() == this->Input.Points.size())
+    {
+      BringTogether(this->Together->Apart, this->WholeCount(), this->Work.Points);
+    }
     this->Result.ClassificationSeconds += watch.Seconds();
     return this->Work.Points.size() == this->Input.Points.size();
   }
@@ -114,13 +154,23 @@ private:
       return false;
     }
     const std::vector<Apex> apexes = FindApexes(around, this->Region, labelling);
-    const RightAlready right =
+    RightAlready right =
       FindRightAlready(this->Work, this->TheConnectivity, faces, this->Scales, labelling);
+    this->MarkJunctions(right.OnRidge);
     const Ridge ridge = FindRidge(this->Work, this->TheConnectivity, faces, labelling, right);
     this->Result.ThinningSeconds += thinning.Seconds();
 
     const StopWatch sharpening;
-    this->Sharpen(labelling, apexes, ridge);
+    if (this->Together)
+    {
+      this->SharpenTogether(labelling, apexes, ridge);
+    }
+    else
+    {
+      this->Sharpen(
+        { this->Input, this->Work, this->TheConnectivity, labelling, this->Scales, this->Region },
+        apexes, ridge);
+    }
     this->Result.SharpeningSeconds += sharpening.Seconds();
     return true;
   }
@@ -145,7 +195,12 @@ private:
     this->KeepRegion();
     ExtendToOtherEdges(
       this->Work, this->TheConnectivity, faces, scales, this->Turns, angles, this->Region);
+    if (this->Together)
+    {
+      AddJunctions(this->Together->Apart, this->Work.Points, this->Scales, this->Region);
+    }
     SpareThinFaces(this->Work, this->TheConnectivity, faces, this->Scales, this->Region);
+    this->MarkJunctions(this->Region);
     if (first)
     {
       this->Result.SharpAngle = angles.Seed;
@@ -161,7 +216,15 @@ private:
   {
     for (std::size_t v = 0; v < this->Region.size(); ++v)
     {
-      this->Region[v] |= this->Result.Region[v];
+      this->Region[v] |= this->Result.Region[this->WholeOf(v)];
+    }
+  }
+
+  void MarkJunctions(Flags& flags) const
+  {
+    for (std::size_t v = 0; this->Together && v < flags.size(); ++v)
+    {
+      flags[v] |= this->Together->Apart.Common[v];
     }
   }
 
@@ -200,12 +263,43 @@ private:
     }
   }
 
-  /// Puts the damaged vertices on the faces around them, as far as nothing folds or cuts.
-  void Sharpen(const Labelling& labelling, const std::vector<Apex>& apexes, const Ridge& ridge)
+  /// A mesh with all that is known about its damaged vertices.
+  struct Labelled
   {
-    Placement placement(
-      this->Work, this->TheConnectivity, labelling, this->Scales, ridge.FaceLabels);
-    const std::vector<Index> damaged = Flagged(this->Region);
+    const Mesh& Before;
+    const Mesh& Now;
+    const Connectivity& TheConnectivity;
+    const Labelling& Labels;
+    const std::vector<double>& Scales;
+    const Flags& Region;
+  };
+
+  /// The same for an assembly, whose parts are known.
+  void SharpenTogether(
+    const Labelling& ofParts, const std::vector<Apex>& apexes, const Ridge& ridge)
+  {
+    const std::size_t count = this->WholeCount();
+    const Mesh now{ std::vector<Vec3>(this->Work.Points.begin(), this->Work.Points.begin() + count),
+      this->Together->TheMesh.Triangles };
+    const std::vector<double> scales(this->Scales.begin(), this->Scales.begin() + count);
+    Flags region(count, 0);
+    for (std::size_t v = 0; v < this->Region.size(); ++v)
+    {
+      region[this->WholeOf(v)] |= this->Region[v];
+    }
+    const Labelling joined = JoinParts(this->Together->Apart, count, ofParts);
+    this->Sharpen(
+      { this->Together->TheMesh, now, this->Together->TheConnectivity, joined, scales, region },
+      apexes, ridge);
+  }
+
+  /// Puts the damaged vertices on the faces around them, as far as nothing folds or cuts.
+  void Sharpen(const Labelled& mesh, const std::vector<Apex>& apexes, const Ridge& ridge)
+  {
+    Placement placement(mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Scales, ridge.FaceLabels);
+    placement.SetJunctions(InsideJunctions(mesh.Now, mesh.TheConnectivity));
+    placement.SetWalls(FindWalls(mesh.Before, mesh.TheConnectivity, mesh.Region, mesh.Scales));
+    const std::vector<Index> damaged = Flagged(mesh.Region);
     ParallelFor(static_cast<Index>(damaged.size()),
       [&](Index begin, Index end)
       {
@@ -216,50 +310,51 @@ private:
     {
       for (Index v : apex.Members)
       {
-        placement.Pin(v, v == apex.Vertex ? apex.Tip : this->Work.Points[v]);
+        placement.Pin(v, v == apex.Vertex ? apex.Tip : mesh.Now.Points[v]);
       }
     }
-    Untangle(this->Work, this->TheConnectivity, this->Scales, placement);
-    Straighten(this->Work, this->TheConnectivity, labelling, this->Input.Points, placement);
+    Untangle(mesh.Now, mesh.TheConnectivity, mesh.Scales, placement);
+    Straighten(mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Before.Points, placement);
     if (this->IsRough() && !this->Parameters.Denoise)
     {
-      this->PutIntactBack(placement);
+      PutIntactBack(mesh.Before, placement);
     }
     const std::vector<Vec3> wanted = placement.AllPoints();
-    Retreat(this->IsRough() ? this->Input : this->Work, this->TheConnectivity, placement);
-    for (std::size_t v = 0; v < this->Region.size(); ++v)
+    Retreat(this->IsRough() ? mesh.Before : mesh.Now, mesh.TheConnectivity, placement);
+    for (std::size_t v = 0; v < mesh.Region.size(); ++v)
     {
-      this->Result.Region[v] |= this->Region[v];
+      this->Result.Region[v] |= mesh.Region[v];
     }
-    TellSkeleton(this->TheConnectivity, placement, this->Result);
-    TellOutcomes(this->Input.Points, wanted, placement, this->Result);
-    this->TakePoints(placement);
+    TellSkeleton(mesh.TheConnectivity, placement, this->Result);
+    TellOutcomes(mesh.Before.Points, wanted, placement, this->Result);
+    this->TakePoints(placement.AllPoints());
   }
 
-  void PutIntactBack(Placement& placement) const
+  static void PutIntactBack(const Mesh& before, Placement& placement)
   {
-    for (Index v = 0; v < this->Input.VertexCount(); ++v)
+    for (Index v = 0; v < before.VertexCount(); ++v)
     {
       if (!placement.IsDamaged(v))
       {
-        placement.SetPoint(v, this->Input.Points[v]);
+        placement.SetPoint(v, before.Points[v]);
       }
     }
   }
 
-  void TakePoints(Placement& placement)
+  void TakePoints(const std::vector<Vec3>& ofWhole)
   {
-    std::vector<Vec3> points = placement.TakePoints();
-    this->Moved.resize(points.size());
-    for (std::size_t v = 0; v < points.size(); ++v)
+    this->Moved.resize(this->Work.Points.size());
+    for (std::size_t v = 0; v < this->Work.Points.size(); ++v)
     {
-      this->Moved[v] = points[v] != this->Work.Points[v] ? 1 : 0;
+      const Vec3& point = ofWhole[this->WholeOf(v)];
+      this->Moved[v] = point != this->Work.Points[v] ? 1 : 0;
+      this->Work.Points[v] = point;
     }
-    this->Work.Points = std::move(points);
   }
 
   const Mesh& Input;
   const Connectivity& TheConnectivity;
+  const Whole* Together; ///< null for one 2-manifold
   double AverageEdgeLength;
   const RobustParameters& Parameters;
   const Monitor& TheMonitor;
@@ -277,6 +372,13 @@ private:
 RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
   double averageEdgeLength, const RobustParameters& parameters, const Monitor& monitor)
 {
-  return Recovery(mesh, connectivity, averageEdgeLength, parameters, monitor).Run();
+  if (connectivity.Common.empty())
+  {
+    return Recovery(mesh, connectivity, nullptr, averageEdgeLength, parameters, monitor).Run();
+  }
+  const PatchesApart apart = TakeApart(mesh, connectivity);
+  const Whole whole{ mesh, connectivity, apart };
+  return Recovery(apart.Parts, apart.Adjacency, &whole, averageEdgeLength, parameters, monitor)
+    .Run();
 }
 }

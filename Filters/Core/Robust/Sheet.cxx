@@ -119,6 +119,14 @@ Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, const SheetC
   }
 }
 
+Sheet::Sheet(const Vec3& point, const Vec3& unitNormal)
+  : Origin(point)
+  , U(unitNormal.unitOrthogonal())
+  , W(unitNormal.cross(this->U))
+  , N(unitNormal)
+{
+}
+
 void Sheet::FitPlane(Fitting& fitting)
 {
   const std::vector<SheetSample>& samples = fitting.Samples;

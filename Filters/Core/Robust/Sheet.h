@@ -46,6 +46,9 @@ public:
   /// length. At least one sample.
   Sheet(const std::vector<SheetSample>& samples, double scale, const SheetCaution& caution);
 
+  /// A plane.
+  Sheet(const Vec3& point, const Vec3& unitNormal);
+
   /// Puts a bent sheet back to where it was before its distances were blurred by a Gaussian of this
   /// width, which moves a surface by half the squared width times the sum of its curvatures.
   void Unblur(double width);

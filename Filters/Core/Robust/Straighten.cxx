@@ -67,10 +67,12 @@ private:
   };
 
   /// Moves v to where the creases around it are least. A corner stays, and a tip: cutting it off
-  /// would leave fewer of them, too.
+  /// would leave fewer of them, too. So does what is held where patches meet or on a free boundary:
+  /// there the faces are known, and creases are not all there is.
   bool Improve(Index v)
   {
-    if (this->ThePlacement.IsPinned(v) || this->ThePlacement.SheetsOf(v).size() > 2)
+    if (this->ThePlacement.IsPinned(v) || this->ThePlacement.SheetsOf(v).size() > 2 ||
+      this->IsCommon(v) || this->ThePlacement.HasWall(v))
     {
       return false;
     }
@@ -199,9 +201,9 @@ private:
     double least = std::numeric_limits<double>::max();
     for (Index v : this->TheMesh.Triangles[t])
     {
-      if (!this->ThePlacement.IsDamaged(v))
+      if (!this->ThePlacement.IsDamaged(v) || this->IsCommon(v))
       {
-        continue;
+        continue; // common vertices know faces of other patches, too
       }
       for (const Side& side : this->TheLabelling.Sides[this->TheLabelling.SidesOf[v]])
       {
@@ -243,6 +245,11 @@ private:
     }
     SortUnique(around);
     return around;
+  }
+
+  bool IsCommon(Index v) const
+  {
+    return !this->TheConnectivity.Common.empty() && this->TheConnectivity.Common[v];
   }
 
   const Mesh& TheMesh;

@@ -37,7 +37,9 @@ std::vector<Index> ReleaseUnexplained(const Surroundings& around, const std::vec
   Flags unexplained(region.size(), 0);
   for (Index v : damaged)
   {
-    unexplained[v] = IsExplained(around, labelling, v) ? 0 : 1;
+    // Where patches of an assembly meet, sampling takes vertices off by more, and they are no face.
+    const bool isFace = !around.TheConnectivity.OnBoundary[v] && !IsExplained(around, labelling, v);
+    unexplained[v] = isFace ? 1 : 0;
   }
   std::vector<Index> released;
   ForEachGroup(around.TheConnectivity, unexplained, 1,

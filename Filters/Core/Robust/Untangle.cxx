@@ -131,8 +131,9 @@ private:
   void Slide(Index v)
   {
     const std::vector<const Sheet*>& sheets = this->ThePlacement.SheetsOf(v);
-    if (sheets.empty() || sheets.size() > 2 ||
-      this->TheConnectivity.TrianglesOfVertex[v].size() > LargestFan)
+    Vec3 along = Vec3::Zero();
+    const int freedom = this->ThePlacement.Freedom(v, along);
+    if (freedom == 0 || this->TheConnectivity.TrianglesOfVertex[v].size() > LargestFan)
     {
       return;
     }
@@ -165,9 +166,8 @@ private:
     for (const double step : { 0.05, 0.15, 0.4, 0.8 })
     {
       const double length = step * this->Scales[v];
-      if (sheets.size() == 2)
+      if (freedom == 1)
       {
-        const Vec3 along = normal.cross(sheets[1]->Normal(start)).normalized();
         attempt(start + length * along);
         attempt(start - length * along);
         continue;
@@ -253,7 +253,7 @@ private:
       for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
       {
         const Index label = this->ThePlacement.LabelOf(t);
-        if (label != NoIndex && label != own)
+        if (label != NoIndex && label != own && this->AreOnePatch(t, bad))
         {
           labels.push_back(label);
         }
@@ -292,6 +292,13 @@ private:
       this->Apply(*bestGroup, bestLabel, vertices);
       this->Touched.insert(this->Touched.end(), vertices.begin(), vertices.end());
     }
+  }
+
+  /// Labels stay within a patch of an assembly.
+  bool AreOnePatch(Index a, Index b) const
+  {
+    const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
+    return patchOf.empty() || patchOf[a] == patchOf[b];
   }
 
   void Apply(const std::vector<Index>& group, Index label, const std::vector<Index>& vertices)

@@ -16,7 +16,8 @@ namespace
 void ExpectAllInReach(const Mesh& mesh, double gridRadius, double radius)
 {
   const WindowGrid grid(mesh, gridRadius);
-  SpatialWindow window(mesh, grid);
+  const Connectivity connectivity(mesh);
+  SpatialWindow window(mesh, connectivity, grid);
   for (Index v = 0; v < mesh.VertexCount(); ++v)
   {
     // Ascending, as the brute force is.
@@ -52,7 +53,8 @@ TEST(SpatialWindow, SeesAWallWhetherOrNotItIsConnected)
   const Index first = mesh.TriangleCount();
   Append(mesh, wall);
   const WindowGrid grid(mesh, 1.0);
-  SpatialWindow window(mesh, grid);
+  const Connectivity connectivity(mesh);
+  SpatialWindow window(mesh, connectivity, grid);
   const std::vector<Index>& found = window.Gather(24, 1.0);
   EXPECT_GT(std::count_if(found.begin(), found.end(), [&](Index t) { return t >= first; }), 0);
   EXPECT_EQ(found, TrianglesWithin(mesh, 24, 1.0));
@@ -74,6 +76,7 @@ TEST(SpatialWindow, ATinyWindowInALargePartKeepsItsMemory)
   // Cubes as small as the window would be 10^21 here: it must choose larger ones.
   Mesh mesh = Box(3, 3, 3);
   const WindowGrid grid(mesh, 3e-7);
-  SpatialWindow window(mesh, grid);
+  const Connectivity connectivity(mesh);
+  SpatialWindow window(mesh, connectivity, grid);
   EXPECT_EQ(window.Gather(0, 3e-7), TrianglesWithin(mesh, 0, 3e-7));
 }
