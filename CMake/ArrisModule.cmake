@@ -3,6 +3,7 @@
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 
 set(classes
+  Filters/vtkAssemblyAlgorithm
   Filters/vtkSharpEdgeExtractor
   Filters/vtkSharpEdgePreview
   Filters/vtkSharpEdgeReconstruction
@@ -83,10 +84,13 @@ set(sources
   Filters/Core/Robust/Unexplained.cxx
   Filters/Core/Robust/Untangle.cxx
   Filters/Support/Arrays.cxx
+  Filters/Support/AssembledSurface.cxx
+  Filters/Support/Blocks.cxx
   Filters/Support/Classification.cxx
   Filters/Support/FaceTable.cxx
   Filters/Support/FeatureOutputs.cxx
   Filters/Support/PaperMethod.cxx
+  Filters/Support/PatchIds.cxx
   Filters/Support/PickedPoints.cxx
   Filters/Support/PointMerging.cxx
   Filters/Support/Polylines.cxx

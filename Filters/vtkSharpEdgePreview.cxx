@@ -7,11 +7,11 @@
 #include "Core/StopWatch.h"
 #include "Core/Thinning.h"
 #include "Support/Arrays.h"
+#include "Support/AssembledSurface.h"
 #include "Support/Classification.h"
 #include "Support/FilterMonitor.h"
 #include "Support/Parameters.h"
 #include "Support/PreviewMarks.h"
-#include "Support/Surface.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -41,8 +41,8 @@ vtkPolyData* vtkSharpEdgePreview::GetMarks()
 }
 
 //------------------------------------------------------------------------------
-int vtkSharpEdgePreview::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkSharpEdgePreview::RequestMesh(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
@@ -51,7 +51,7 @@ int vtkSharpEdgePreview::RequestData(
   arris::ClassificationParameters parameters;
   std::string problem = arris::FirstProblem(
     { this->ProblemWithParameters(), arris::ProblemWithRatio("TubeRadius", this->TubeRadius) },
-    [&] { return arris::ReadSurface(input, output, surface); });
+    [&] { return this->ReadAssembly(input, output, surface); });
   problem = problem.empty() ? this->ChooseParameters(inputVector, surface, parameters) : problem;
   if (!problem.empty())
   {
@@ -77,6 +77,7 @@ int vtkSharpEdgePreview::RequestData(
   }
   const arris::Skeleton skeleton = arris::TraceSkeleton(mesh, surface.Adjacency, rounds);
   arris::AddThinning(output, rounds, skeleton.Roles);
+  arris::ShareAmongCommon(surface, output);
   output->GetPointData()->SetActiveScalars(arris::array::NormalDeviation);
   arris::FillMarks(vtkPolyData::GetData(outputVector, 1), mesh,
     arris::RegionOutline(

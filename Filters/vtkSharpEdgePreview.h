@@ -48,7 +48,7 @@ protected:
   vtkSharpEdgePreview();
   ~vtkSharpEdgePreview() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestMesh(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   double TubeRadius = 0.15;
 

@@ -39,8 +39,8 @@ vtkSharpEdgeReconstruction::vtkSharpEdgeReconstruction()
 }
 
 //------------------------------------------------------------------------------
-int vtkSharpEdgeReconstruction::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkSharpEdgeReconstruction::RequestMesh(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
@@ -51,7 +51,7 @@ int vtkSharpEdgeReconstruction::RequestData(
     { arris::ProblemWithOptionalWindow(this->Window, this->WindowRatio, this->WindowSearch),
       arris::ProblemWithOptionalAngle("SharpAngle", this->SharpAngle),
       ProblemWithMethod(this->Method) },
-    [&] { return arris::ReadSurface(input, output, surface); });
+    [&] { return this->ReadAssembly(input, output, surface); });
   problem = problem.empty() ? this->ChooseParameters(inputVector, surface, parameters) : problem;
   if (!problem.empty())
   {

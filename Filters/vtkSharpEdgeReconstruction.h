@@ -97,7 +97,7 @@ protected:
   vtkSharpEdgeReconstruction();
   ~vtkSharpEdgeReconstruction() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestMesh(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   int Method = ROBUST;
   bool Denoise = false;

@@ -41,8 +41,8 @@
 #define vtkSharpRegionAlgorithm_h
 
 #include "ArrisFiltersModule.h" // for the export macro
+#include "vtkAssemblyAlgorithm.h"
 
-#include <vtkPolyDataAlgorithm.h>
 #include <vtkSmartPointer.h> // for the picked points
 
 #include <memory>
@@ -59,10 +59,10 @@ struct PickedPoints;
 struct Surface;
 }
 
-class ARRISFILTERS_EXPORT vtkSharpRegionAlgorithm : public vtkPolyDataAlgorithm
+class ARRISFILTERS_EXPORT vtkSharpRegionAlgorithm : public vtkAssemblyAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkSharpRegionAlgorithm, vtkPolyDataAlgorithm);
+  vtkAbstractTypeMacro(vtkSharpRegionAlgorithm, vtkAssemblyAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

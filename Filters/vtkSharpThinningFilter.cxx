@@ -3,12 +3,12 @@
 
 #include "vtkSharpThinningFilter.h"
 
+#include "Core/StopWatch.h"
 #include "Core/Thinning.h"
 #include "Support/Arrays.h"
+#include "Support/AssembledSurface.h"
 #include "Support/FilterMonitor.h"
 #include "Support/Polylines.h"
-#include "Core/StopWatch.h"
-#include "Support/Surface.h"
 
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
@@ -35,8 +35,8 @@ vtkPolyData* vtkSharpThinningFilter::GetSkeleton()
 }
 
 //------------------------------------------------------------------------------
-int vtkSharpThinningFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkSharpThinningFilter::RequestMesh(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
@@ -57,7 +57,7 @@ int vtkSharpThinningFilter::RequestData(
     problem = problem.empty() ? arris::ReadPointValues(ussod, arris::array::Ussod, input, priority)
                               : problem;
   }
-  problem = problem.empty() ? arris::ReadSurface(input, output, surface) : problem;
+  problem = problem.empty() ? this->ReadAssembly(input, output, surface) : problem;
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
@@ -76,6 +76,7 @@ int vtkSharpThinningFilter::RequestData(
   }
   const arris::Skeleton skeleton = arris::TraceSkeleton(mesh, surface.Adjacency, rounds);
   arris::AddThinning(output, rounds, skeleton.Roles);
+  arris::ShareAmongCommon(surface, output);
   arris::AddFieldValue(output, arris::array::ThinningSeconds, watch.Seconds());
 
   arris::FillPolylines(

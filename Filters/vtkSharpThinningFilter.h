@@ -37,14 +37,13 @@
 #define vtkSharpThinningFilter_h
 
 #include "ArrisFiltersModule.h" // for the export macro
+#include "vtkAssemblyAlgorithm.h"
 
-#include <vtkPolyDataAlgorithm.h>
-
-class ARRISFILTERS_EXPORT vtkSharpThinningFilter : public vtkPolyDataAlgorithm
+class ARRISFILTERS_EXPORT vtkSharpThinningFilter : public vtkAssemblyAlgorithm
 {
 public:
   static vtkSharpThinningFilter* New();
-  vtkTypeMacro(vtkSharpThinningFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSharpThinningFilter, vtkAssemblyAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The skeleton (output port 1).
@@ -54,7 +53,7 @@ protected:
   vtkSharpThinningFilter();
   ~vtkSharpThinningFilter() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestMesh(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
   vtkSharpThinningFilter(const vtkSharpThinningFilter&) = delete;

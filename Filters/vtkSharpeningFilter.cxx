@@ -4,11 +4,11 @@
 #include "vtkSharpeningFilter.h"
 
 #include "Core/Sharpening.h"
+#include "Core/StopWatch.h"
 #include "Support/Arrays.h"
+#include "Support/AssembledSurface.h"
 #include "Support/FilterMonitor.h"
 #include "Support/Parameters.h"
-#include "Core/StopWatch.h"
-#include "Support/Surface.h"
 
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
@@ -30,8 +30,8 @@ vtkSharpeningFilter::vtkSharpeningFilter()
 }
 
 //------------------------------------------------------------------------------
-int vtkSharpeningFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkSharpeningFilter::RequestMesh(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
@@ -46,7 +46,7 @@ int vtkSharpeningFilter::RequestData(
   const std::string problem = arris::FirstProblem(
     { arris::ProblemWithWindow(this->Window, this->WindowRatio),
       arris::ReadThinningRounds(this->GetInputArrayToProcess(0, inputVector), input, rounds) },
-    [&] { return arris::ReadSurface(input, output, surface); });
+    [&] { return this->ReadAssembly(input, output, surface); });
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
@@ -59,13 +59,14 @@ int vtkSharpeningFilter::RequestData(
     ? this->Window
     : arris::FieldValue(input, arris::array::Lambda, this->WindowRatio * surface.AverageEdgeLength);
   const arris::Skeleton skeleton = arris::TraceSkeleton(mesh, surface.Adjacency, rounds);
-  const std::vector<arris::Vec3> points = arris::SharpenedPoints(std::move(mesh), surface.Adjacency,
+  std::vector<arris::Vec3> points = arris::SharpenedPoints(std::move(mesh), surface.Adjacency,
     rounds, skeleton, lambda, surface.AverageEdgeLength, arris::MonitorOf(this));
   if (points.size() != rounds.size())
   {
     output->Initialize(); // aborted
     return 1;
   }
+  arris::ShareAmongCommon(surface, points);
   arris::ReplacePoints(output, points);
   arris::AddDisplacement(output, input->GetPoints());
   arris::AddFieldValue(output, arris::array::SharpeningSeconds, watch.Seconds());

@@ -31,14 +31,13 @@
 #define vtkSharpeningFilter_h
 
 #include "ArrisFiltersModule.h" // for the export macro
+#include "vtkAssemblyAlgorithm.h"
 
-#include <vtkPolyDataAlgorithm.h>
-
-class ARRISFILTERS_EXPORT vtkSharpeningFilter : public vtkPolyDataAlgorithm
+class ARRISFILTERS_EXPORT vtkSharpeningFilter : public vtkAssemblyAlgorithm
 {
 public:
   static vtkSharpeningFilter* New();
-  vtkTypeMacro(vtkSharpeningFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSharpeningFilter, vtkAssemblyAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -61,7 +60,7 @@ protected:
   vtkSharpeningFilter();
   ~vtkSharpeningFilter() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestMesh(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   double Window;
   double WindowRatio;

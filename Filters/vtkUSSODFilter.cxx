@@ -3,10 +3,10 @@
 
 #include "vtkUSSODFilter.h"
 
+#include "Support/AssembledSurface.h"
 #include "Support/Classification.h"
 #include "Support/FilterMonitor.h"
 #include "Support/Parameters.h"
-#include "Support/Surface.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -16,8 +16,8 @@
 vtkStandardNewMacro(vtkUSSODFilter);
 
 //------------------------------------------------------------------------------
-int vtkUSSODFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkUSSODFilter::RequestMesh(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
@@ -25,7 +25,7 @@ int vtkUSSODFilter::RequestData(
   arris::Surface surface;
   arris::ClassificationParameters parameters;
   std::string problem = arris::FirstProblem(
-    { this->ProblemWithParameters() }, [&] { return arris::ReadSurface(input, output, surface); });
+    { this->ProblemWithParameters() }, [&] { return this->ReadAssembly(input, output, surface); });
   problem = problem.empty() ? this->ChooseParameters(inputVector, surface, parameters) : problem;
   if (!problem.empty())
   {
@@ -36,6 +36,8 @@ int vtkUSSODFilter::RequestData(
   if (!this->Classifier->Update(input, surface, parameters, arris::MonitorOf(this), output))
   {
     output->Initialize(); // aborted
+    return 1;
   }
+  arris::ShareAmongCommon(surface, output);
   return 1;
 }

@@ -49,7 +49,7 @@ protected:
   vtkUSSODFilter() = default;
   ~vtkUSSODFilter() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestMesh(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
   vtkUSSODFilter(const vtkUSSODFilter&) = delete;

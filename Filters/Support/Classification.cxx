@@ -11,9 +11,12 @@
 
 namespace arris
 {
-bool Classification::Knows(vtkPolyData* input, const ClassificationParameters& parameters) const
+bool Classification::Knows(vtkPolyData* input, const AssemblyParameters& assembled,
+  const ClassificationParameters& parameters) const
 {
   return input == this->Input && input->GetMTime() == this->InputTime &&
+    assembled.PatchArray == this->Assembled.PatchArray &&
+    assembled.MergeTolerance == this->Assembled.MergeTolerance &&
     parameters.WindowRadius == this->WindowRadius && parameters.Search == this->Search;
 }
 
@@ -21,7 +24,7 @@ bool Classification::Update(vtkPolyData* input, const Surface& surface,
   const ClassificationParameters& parameters, const Monitor& monitor, vtkPolyData* output)
 {
   double seconds = 0.0;
-  if (!this->Knows(input, parameters))
+  if (!this->Knows(input, surface.AssembledBy, parameters))
   {
     const StopWatch watch;
     this->Input = nullptr;
@@ -35,6 +38,7 @@ bool Classification::Update(vtkPolyData* input, const Surface& surface,
     }
     this->Input = input;
     this->InputTime = input->GetMTime();
+    this->Assembled = surface.AssembledBy;
     this->WindowRadius = parameters.WindowRadius;
     this->Search = parameters.Search;
     seconds = watch.Seconds();

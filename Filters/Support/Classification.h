@@ -36,11 +36,13 @@ public:
   const Flags& Region() const { return this->SharpVertices; }
 
 private:
-  bool Knows(vtkPolyData* input, const ClassificationParameters& parameters) const;
+  bool Knows(vtkPolyData* input, const AssemblyParameters& assembled,
+    const ClassificationParameters& parameters) const;
 
   // What was classified. An address can be another mesh's later; its time cannot be so early then.
   vtkPolyData* Input = nullptr;
   vtkMTimeType InputTime = 0;
+  AssemblyParameters Assembled;
   double WindowRadius = 0.0;
   WindowSearch Search = WindowSearch::Connected;
 

@@ -5,9 +5,10 @@
 
 #include "Core/Sharpening.h"
 #include "Core/Skeleton.h"
+#include "Core/StopWatch.h"
 #include "Core/Thinning.h"
 #include "Support/Arrays.h"
-#include "Core/StopWatch.h"
+#include "Support/AssembledSurface.h"
 
 #include <vtkPolyData.h>
 
@@ -45,13 +46,15 @@ bool RecoverByPaper(vtkPolyData* input, Surface surface, const ClassificationPar
   AddFieldValue(output, array::ThinningSeconds, thinning.Seconds());
 
   const StopWatch sharpening;
-  const std::vector<Vec3> points = SharpenedPoints(std::move(mesh), connectivity, rounds, skeleton,
+  std::vector<Vec3> points = SharpenedPoints(std::move(mesh), connectivity, rounds, skeleton,
     parameters.WindowRadius, surface.AverageEdgeLength, monitor.Part(Thinned, 1.0));
   if (points.size() != count)
   {
     return false;
   }
   surface.Adjacency = Connectivity();
+  ShareAmongCommon(surface, output);
+  ShareAmongCommon(surface, points);
   ReplacePoints(output, points);
   AddDisplacement(output, input->GetPoints());
   AddFieldValue(output, array::SharpeningSeconds, sharpening.Seconds());

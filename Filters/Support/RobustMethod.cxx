@@ -5,6 +5,7 @@
 
 #include "Core/Robust/Turn.h"
 #include "Support/Arrays.h"
+#include "Support/AssembledSurface.h"
 #include "Support/Parameters.h"
 
 #include <vtkPolyData.h>
@@ -15,7 +16,7 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
   const Monitor& monitor, vtkPolyData* output)
 {
   const Mesh& mesh = surface.Triangulation;
-  const RobustResult result =
+  RobustResult result =
     RecoverRobustly(mesh, surface.Adjacency, surface.AverageEdgeLength, parameters, monitor);
   if (result.Points.size() != mesh.Points.size())
   {
@@ -33,6 +34,8 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
   AddFieldValue(output, array::ClassificationSeconds, result.ClassificationSeconds);
   AddFieldValue(output, array::ThinningSeconds, result.ThinningSeconds);
   AddFieldValue(output, array::SharpeningSeconds, result.SharpeningSeconds);
+  ShareAmongCommon(surface, output);
+  ShareAmongCommon(surface, result.Points);
   ReplacePoints(output, result.Points);
   AddDisplacement(output, input->GetPoints());
   return true;

@@ -289,7 +289,7 @@ std::string ReadCells(vtkPolyData* input, vtkPolyData* output, Surface& surface)
 }
 }
 
-std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surface)
+std::string ReadTriangles(vtkPolyData* input, vtkPolyData* output, Surface& surface)
 {
   std::string problem = ProblemWithSize(input);
   problem = problem.empty() ? ReadPoints(input, surface.Triangulation.Points) : problem;
@@ -297,11 +297,19 @@ std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surfac
   if (!problem.empty())
   {
     output->Initialize();
-    return problem;
   }
-  surface.Adjacency = Connectivity(surface.Triangulation);
-  surface.AverageEdgeLength = AverageEdgeLength(surface.Triangulation, surface.Adjacency);
-  return {};
+  return problem;
+}
+
+std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surface)
+{
+  std::string problem = ReadTriangles(input, output, surface);
+  if (problem.empty())
+  {
+    surface.Adjacency = Connectivity(surface.Triangulation);
+    surface.AverageEdgeLength = AverageEdgeLength(surface.Triangulation, surface.Adjacency);
+  }
+  return problem;
 }
 
 void ReplacePoints(vtkPolyData* output, const std::vector<Vec3>& after)

@@ -7,6 +7,7 @@
 #ifndef arris_Surface_h
 #define arris_Surface_h
 
+#include "Core/Assembly/Assembly.h"
 #include "Core/Mesh.h"
 
 #include "ArrisFiltersModule.h" // for the export macro
@@ -19,6 +20,13 @@ class vtkPolyData;
 
 namespace arris
 {
+/// How the patches of an assembly are told.
+struct AssemblyParameters
+{
+  std::string PatchArray; ///< a cell array; see ReadPatchIds
+  double MergeTolerance = 0.0; ///< of common vertices, in parts of the bounding box' diagonal
+};
+
 /// The triangles of a vtkPolyData as the method sees them.
 struct Surface
 {
@@ -38,6 +46,13 @@ struct Surface
 
   /// The cell of each triangle otherwise.
   std::vector<vtkIdType> Cells;
+
+  /// For each point the lowest of those that it is one with; empty if each is by itself. Triangles
+  /// name the lowest only.
+  std::vector<Index> SameAs;
+
+  AssemblyParameters AssembledBy;
+  AssemblyFacts Facts;
 };
 
 /// Makes `output` what a filter hands on before it adds anything: the input, with strips and
@@ -49,6 +64,10 @@ struct Surface
 /// triangles, more cells than 32-bit indices can count.
 ARRISFILTERS_EXPORT std::string ReadSurface(
   vtkPolyData* input, vtkPolyData* output, Surface& surface);
+
+/// The first part of ReadSurface, up to the connectivity. What is wrong with the input, or nothing;
+/// then the output is empty.
+std::string ReadTriangles(vtkPolyData* input, vtkPolyData* output, Surface& surface);
 
 /// Replaces the output's points by moved ones, in the precision it has. Points whose new position
 /// equals the old one keep every bit. Normals that came with the input do not fit the moved surface

@@ -14,7 +14,7 @@ function (expect_files folder)
 endfunction ()
 
 expect_files("include/arris"
-  ArrisFiltersModule.h vtkSharpEdgeExtractor.h vtkSharpEdgePreview.h vtkSharpEdgeReconstruction.h
+  ArrisFiltersModule.h vtkAssemblyAlgorithm.h vtkSharpEdgeExtractor.h vtkSharpEdgePreview.h vtkSharpEdgeReconstruction.h
   vtkSharpRegionAlgorithm.h vtkSharpThinningFilter.h vtkSharpeningFilter.h vtkUSSODFilter.h)
 expect_files("include" arris)
 if (PROGRAM)

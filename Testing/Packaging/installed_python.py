@@ -21,7 +21,7 @@ for library in mapped:
     assert prefix in pathlib.Path(library).resolve().parents, library
 
 classes = {name for name in dir(arris) if name.startswith("vtk") and name != "vtkmodules"}
-expected = {"vtkSharpEdgeExtractor", "vtkSharpEdgePreview", "vtkSharpEdgeReconstruction",
+expected = {"vtkAssemblyAlgorithm", "vtkSharpEdgeExtractor", "vtkSharpEdgePreview", "vtkSharpEdgeReconstruction",
             "vtkSharpRegionAlgorithm", "vtkSharpThinningFilter", "vtkSharpeningFilter",
             "vtkUSSODFilter"}
 assert classes == expected, classes ^ expected
