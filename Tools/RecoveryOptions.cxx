@@ -73,6 +73,13 @@ void AddWindowOptions(CLI::App& command, ClassificationOptions& options, const s
     ->excludes(ratio);
   AddPositionOption(command, "--smooth-at", options.SmoothAt,
     "A point that is expected to be smooth. May be repeated", group);
+  command
+    .add_option("--patches", options.Patches,
+      "The cell array that tells the patches of an assembly\n(default: PatchId, then "
+      "BoundaryLabels; "
+      "\"\": none)")
+    ->type_name("ARRAY")
+    ->group(group);
 }
 }
 

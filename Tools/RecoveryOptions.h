@@ -31,6 +31,7 @@ struct ClassificationOptions
   std::string WindowSearch = "connected"; ///< or "spatial"
   std::vector<Position> SharpAt; ///< picked points
   std::vector<Position> SmoothAt;
+  std::optional<std::string> Patches; ///< the cell array that tells the patches of an assembly
 };
 
 struct RecoveryOptions : ClassificationOptions
@@ -39,7 +40,7 @@ struct RecoveryOptions : ClassificationOptions
   bool Denoise = false;
 };
 
-/// --window, --window-ratio, --sharp-angle, --window-search, --sharp-at, --smooth-at.
+/// --window, --window-ratio, --sharp-angle, --window-search, --sharp-at, --smooth-at, --patches.
 void AddClassificationOptions(CLI::App& command, ClassificationOptions& options);
 
 /// These, --method and --denoise.

@@ -66,6 +66,10 @@ void SetClassification(vtkSharpRegionAlgorithm* filter, const ClassificationOpti
   }
   filter->SetWindowSearch(options.WindowSearch == "spatial" ? vtkSharpRegionAlgorithm::SPATIAL
                                                             : vtkSharpRegionAlgorithm::CONNECTED);
+  if (options.Patches)
+  {
+    filter->SetPatchArrayName(*options.Patches);
+  }
   if (!options.SharpAt.empty())
   {
     filter->SetPickedPointsSharp(Points(options.SharpAt));
@@ -159,6 +163,24 @@ void ReportAccount(Session& session, vtkPolyData* mesh, const RecoveryOptions& o
     Number(range[0]) + " to " + Number(range[1]) + ", edges from " + Number(angle) + " degrees");
 }
 
+/// What an assembly consists of; a closed mesh is one patch.
+void ReportAssembly(Session& session, vtkAssemblyAlgorithm* filter)
+{
+  session.Report["assembly"] = {
+    { "patches", filter->GetNumberOfPatches() },
+    { "common_vertices", filter->GetNumberOfCommonVertices() },
+    { "junction_edges", filter->GetNumberOfJunctionEdges() },
+    { "open_edges", filter->GetNumberOfOpenEdges() },
+    { "one_sided_patches", filter->GetNumberOfOneSidedPatches() },
+  };
+  if (filter->GetNumberOfCommonVertices() > 0)
+  {
+    session.Say("assembly: " + Count(filter->GetNumberOfPatches(), "patch", "patches") + ", " +
+      Count(filter->GetNumberOfCommonVertices(), "common vertex", "common vertices") + ", " +
+      Count(filter->GetNumberOfJunctionEdges(), "junction edge", "junction edges"));
+  }
+}
+
 /// The sharp region of any method.
 void ReportRegion(Session& session, vtkPolyData* mesh)
 {
@@ -243,6 +265,7 @@ vtkSmartPointer<vtkPolyData> Classify(Session& session, vtkPolyData* mesh, const
   vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   TakeSeconds(session, result);
   ReportMesh(session, result, name);
+  ReportAssembly(session, filter);
   ReportWindow(session, result, options);
   ReportRegion(session, result);
   return result;
@@ -262,6 +285,7 @@ vtkSmartPointer<vtkPolyData> Recover(
   vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   TakeSeconds(session, result);
   ReportMesh(session, result, name);
+  ReportAssembly(session, filter);
   if (options.Method == "paper")
   {
     ReportWindow(session, result, options);

@@ -35,9 +35,11 @@ def check_property(proxy, prop, instance):
     expect("".join(c for c in label if c.isascii() and c.isalnum()) == prop.get("name"),
            f"{name}: Python would know it by another name, made of its label {label!r}")
     domains = [child for child in prop if child.tag.endswith("Domain")]
-    expect(domains or prop.get("information_only"), f"{name}: no domain")
+    free = prop.get("information_only") or prop.tag == "StringVectorProperty"
+    expect(domains or free, f"{name}: no domain")
     if command and re.fullmatch("Set(?!Input).*", command):
-        default = float(prop.get("default_values"))
+        default = prop.get("default_values")
+        default = default if prop.tag == "StringVectorProperty" else float(default)
         getter = getattr(instance, "Get" + command[3:], lambda: None)
         expect(getter() == default, f"{name}: default {default}, of the class {getter()}")
 

@@ -31,7 +31,9 @@ plain_contour = vtkTrivialProducer()
 plain_contour.SetOutput(fetch(contour))
 triangles = fetch(contour).GetNumberOfPolys()
 assert triangles > 1000
-WINDOW = {"SharpAngle": 30.0, "Window": 2.5, "WindowRatio": 1.5, "WindowSearch": "Spatial"}
+ASSEMBLY = {"PatchArrayName": "Material", "MergeTolerance": 1e-4}
+WINDOW = {"SharpAngle": 30.0, "Window": 2.5, "WindowRatio": 1.5, "WindowSearch": "Spatial",
+          **ASSEMBLY}
 
 
 def plain(make, proxy=None):
@@ -54,7 +56,7 @@ region = fetch(ussod).GetPointData().GetArray("SharpRegion")
 assert 0 < sum(v[0] for v in values(region)) < region.GetNumberOfTuples()
 
 thinning = simple.SharpThinning(Input=ussod)
-set_and_read(thinning)
+set_and_read(thinning, **ASSEMBLY)
 plain_thinning = arris.vtkSharpThinningFilter()
 plain_thinning.SetInputConnection(plain_ussod.GetOutputPort())
 plain_thinning.Update()
@@ -63,7 +65,7 @@ same(fetch(thinning, 1), plain_thinning.GetSkeleton(), "Sharp Thinning, Skeleton
 assert thinning.SMProxy.GetOutputPort("Skeleton").GetPortIndex() == 1
 
 sharpening = simple.Sharpening(Input=thinning)
-set_and_read(sharpening, Window=2.5, WindowRatio=1.5)
+set_and_read(sharpening, Window=2.5, WindowRatio=1.5, **ASSEMBLY)
 plain_sharpening = arris.vtkSharpeningFilter()
 plain_sharpening.SetInputConnection(plain_thinning.GetOutputPort())
 plain_sharpening.Update()

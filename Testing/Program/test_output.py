@@ -20,7 +20,7 @@ COMMANDS = {
 COMMON = {"program", "version", "command", "threads", "seconds"}
 FILES = {"input", "output", "parameters", "counts"}
 MESH = {"vertices", "triangles"}
-RECOVERY = FILES | {"average_edge_length", "displacement"}
+RECOVERY = FILES | {"average_edge_length", "displacement", "assembly"}
 RECOVERY_COUNTS = MESH | {"sharp_vertices", "skeleton_vertices", "moved_vertices"}
 PAPER = {"method", "window", "window_ratio", "sharp_angle", "window_search", "picked"}
 ROBUST = {"method", "window", "window_ratio", "window_range", "sharp_angle", "denoise", "picked"}
@@ -47,7 +47,7 @@ EXPECTED = {  # keys at the top, in parameters, in counts and in seconds
         {"read", "write"} | STEPS,
     ),
     "classify": (
-        FILES | {"average_edge_length"},
+        FILES | {"average_edge_length", "assembly"},
         PAPER - {"method"},
         MESH | {"sharp_vertices"},
         None,
