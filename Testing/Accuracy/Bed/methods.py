@@ -51,6 +51,13 @@ def run(command, shell=False):
         raise Failed(f"exit status {done.returncode}: {done.stderr.strip()[-300:]}")
 
 
+def timed(command, shell=False):
+    """Runs a command that has to do its work; the seconds it took."""
+    start = time.perf_counter()
+    run(command, shell)
+    return time.perf_counter() - start
+
+
 def _by_command(template, mesh):
     """Runs a command on files of doubles. A string goes to the shell, a list does not."""
     with tempfile.TemporaryDirectory() as folder:
@@ -58,9 +65,7 @@ def _by_command(template, mesh):
         write_mesh(files["{in}"], mesh)
         shell = isinstance(template, str)
         command = _filled(template, files) if shell else [_filled(w, files) for w in template]
-        start = time.perf_counter()
-        run(command, shell)
-        seconds = time.perf_counter() - start
+        seconds = timed(command, shell)
         if not Path(files["{out}"]).exists():
             raise Failed("no output file")
         return read_mesh(files["{out}"]), seconds

@@ -47,7 +47,7 @@ def cell_size(name):
 
 def contour(truth, resolution):
     """The contour of the exact distance."""
-    return _flying_edges(_distances(truth, resolution, band=2), 0)
+    return _flying_edges(distances(truth, resolution, band=2), 0)
 
 
 def snapped(truth, resolution):
@@ -58,13 +58,13 @@ def snapped(truth, resolution):
 
 def blended(truth, resolution):
     """The contour of the distance blurred by BLEND, as of a volume resampled or filtered."""
-    distances = gaussian_filter(_distances(truth, resolution, band=6), BLEND, mode="nearest")
-    return _flying_edges(distances, 0)
+    blurred = gaussian_filter(distances(truth, resolution, band=6), BLEND, mode="nearest")
+    return _flying_edges(blurred, 0)
 
 
 def segmentation(truth, resolution):
     """Voxels inside or outside, blurred by VOXEL_BLUR and contoured half-way."""
-    inside = (_distances(truth, resolution, band=1) < 0).astype(float)
+    inside = (distances(truth, resolution, band=1) < 0).astype(float)
     return _flying_edges(-gaussian_filter(inside, VOXEL_BLUR, mode="nearest"), -0.5)
 
 
@@ -105,7 +105,7 @@ KINDS = {f.__name__: f for f in (contour, snapped, irregular, blended, segmentat
                                  heavynoise)}
 
 
-def _distances(truth, resolution, band):
+def distances(truth, resolution, band):
     """Signed distances on the grid, negative inside: exact where below `band` cells.
 
     Elsewhere they have the right sign and are too small. From strides of eight grid points down to

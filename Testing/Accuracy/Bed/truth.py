@@ -36,7 +36,7 @@ class Truth:
         self.segments = ends[angles > SHARP]
         self.faint_segments = ends[angles > FAINT]
         self.tips = _tips(kernel_mesh, self.mesh)
-        corners, valences = _corners(self.mesh.points, self.segments)
+        corners, valences = corners_of(self.mesh.points, self.segments)
         self.corners = np.vstack([corners, self.tips])
         self.valences = np.concatenate([valences, np.zeros(len(self.tips), dtype=int)])
         self.curve_locator = Locator(self.mesh.points, self.segments)
@@ -112,7 +112,7 @@ def _tips(kernel_mesh, mesh):
     return tips[cKDTree(mesh.points).query(tips)[0] < 1e-6] if len(tips) else tips
 
 
-def _corners(points, segments):
+def corners_of(points, segments):
     """Where three or more sharp curves meet, or one turns: positions and valences."""
     ids, local = np.unique(segments, return_inverse=True)
     if not len(ids):
