@@ -108,14 +108,15 @@ KINDS = {f.__name__: f for f in (contour, snapped, irregular, blended, segmentat
 def distances(truth, resolution, band):
     """Signed distances on the grid, negative inside: exact where below `band` cells.
 
-    Elsewhere they have the right sign and are too small. From strides of eight grid points down to
-    one, a point takes the value of the coarser neighbour less the way to it, and is asked exactly
+    Elsewhere they have the right sign and are too small. From strides of up to eight grid points down
+    to one, a point takes the value of the coarser neighbour less the way to it, and is asked exactly
     only if that is inside the band.
     """
     cell, values = 2 * HALF / resolution, np.zeros((1, 1, 1))
-    for stride in (8, 4, 2, 1):
+    strides = [stride for stride in (8, 4, 2, 1) if resolution % stride == 0]
+    for stride in strides:
         axis = np.linspace(-HALF, HALF, resolution // stride + 1)
-        if stride == 8:
+        if stride == strides[0]:
             bound = np.zeros((len(axis),) * 3)
             sign = bound
         else:
