@@ -88,6 +88,13 @@ def polydata(points, triangles, ids):
     return mesh
 
 
+def sampled():
+    """The surface between the materials as it is known after sampling."""
+    axis = np.linspace(-32, 32, CELLS + 1)
+    grid = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1)
+    return polydata(*surface_net(materials(grid)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--method", choices=("robust", "paper"), default="robust")
@@ -95,10 +102,7 @@ def main():
                         help="the folder to write to (default: this one)")
     arguments = parser.parse_args()
 
-    axis = np.linspace(-32, 32, CELLS + 1)
-    grid = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1)
-    before = polydata(*surface_net(materials(grid)))
-
+    before = sampled()
     recovery = vtkSharpEdgeReconstruction()
     recovery.SetInputData(before)
     if arguments.method == "paper":

@@ -10,6 +10,7 @@ import scenes
 from pictures import difference
 
 wrong = [
+    ("assembly.png", scenes.assembly(recover=False), "the assembly as sampling left it"),
     ("bracket.png", scenes.bracket(recover=False), "the mesh as sampling left it"),
     ("roles.png", scenes.roles(array="SharpRegion"), "the region instead of its skeleton"),
     ("features.png", scenes.features(feature_angle=91.0), "without the cube's curves"),

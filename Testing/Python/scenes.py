@@ -4,17 +4,23 @@
 """What the image tests show."""
 
 import os
+import pathlib
 import subprocess
+import sys
 import tempfile
 
 import meshes
 from arris import vtkSharpEdgeExtractor, vtkSharpEdgeReconstruction
 from pictures import actor, draw, read
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFlyingEdges3D
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkClipPolyData, vtkFlyingEdges3D
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource, vtkCylinderSource
 from vtkmodules.vtkIOImage import vtkMetaImageReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "Examples/Python"))
+import recover_assembly  # noqa: E402
 
 SAMPLES = 40
 FEW_SAMPLES = 20  # a chamfer must be many pixels wide to be seen as one
@@ -146,3 +152,23 @@ def edges_command(*options):
             check=True,
         )
         return read(picture, 0.5)
+
+
+def patches(mesh):
+    """The patches of an assembly in colors, cut open to show those inside."""
+    plane, clip = vtkPlane(), vtkClipPolyData()
+    plane.SetOrigin(4.0, -2.0, 4.0)
+    plane.SetNormal(-0.5, 0.2, -0.8)
+    clip.SetInputData(mesh)
+    clip.SetClipFunction(plane)
+    clip.Update()
+    shown = colored(clip.GetOutput(), "PatchId", 24)
+    shown.GetProperty().LightingOn()
+    return shown
+
+
+def assembly(recover=True):
+    """Two cubes and a sphere of three materials, cut open."""
+    mesh = recover_assembly.sampled()
+    shown = patches(recovered(mesh) if recover else mesh)
+    return draw([shown], direction=(0.5, 0.1, 1.0), zoom=1.4)

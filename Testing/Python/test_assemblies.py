@@ -19,12 +19,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "Examples/Python"))
 import recover_assembly as example  # noqa: E402
 
 
-def assembly():
-    axis = numpy.linspace(-32, 32, example.CELLS + 1)
-    grid = numpy.stack(numpy.meshgrid(axis, axis, axis, indexing="ij"), axis=-1)
-    return example.polydata(*example.surface_net(example.materials(grid)))
-
-
 def patch(mesh, number):
     select = vtkThreshold()
     select.SetInputData(mesh)
@@ -40,7 +34,7 @@ def patch(mesh, number):
 class Assemblies(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.mesh = assembly()
+        cls.mesh = example.sampled()
         recovery = vtkSharpEdgeReconstruction()
         recovery.SetInputData(cls.mesh)
         recovery.Update()
