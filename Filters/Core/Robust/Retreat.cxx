@@ -5,6 +5,7 @@
 
 #include "Core/Intersections.h"
 #include "Core/SortUnique.h"
+#include "Core/TriangleCrossing.h"
 
 #include <algorithm>
 #include <iterator>
@@ -16,6 +17,9 @@ namespace
 /// A triangle under this quality is folded over, or as good as without area.
 constexpr double FoldedQuality = 1e-4;
 
+/// How often a vertex is taken back a part of its way only; so there is an end to it.
+constexpr int MostSteps = 6;
+
 class Guard
 {
 public:
@@ -23,6 +27,7 @@ public:
     : TheMesh(mesh)
     , TheConnectivity(connectivity)
     , ThePlacement(placement)
+    , StepsBack(connectivity.PatchOf.empty() ? 0 : mesh.Points.size(), 0)
   {
     for (Index t = 0; t < mesh.TriangleCount(); ++t)
     {
@@ -39,18 +44,19 @@ public:
     std::vector<Index> suspects;
     std::copy_if(this->Labelled.begin(), this->Labelled.end(), std::back_inserter(suspects),
       [this](Index t) { return this->Moved(this->TheMesh.Triangles[t]); });
-    // Every round gives back at least one vertex for each pair, so there is an end to it.
+    // Every round takes back at least one vertex for each pair, so there is an end to it.
     for (;;)
     {
-      const std::vector<Index> cutting = this->CuttingTriangles(suspects);
-      if (cutting.empty())
+      Mesh moved{ this->ThePlacement.AllPoints(), this->TheMesh.Triangles };
+      const std::vector<std::array<Index, 2>> cutting = FindIntersections(moved, suspects);
+      std::vector<Index> changed;
+      for (const std::array<Index, 2>& pair : cutting)
+      {
+        this->Part(pair, moved, changed);
+      }
+      if (changed.empty())
       {
         return;
-      }
-      std::vector<Index> changed;
-      for (Index t : cutting)
-      {
-        this->GiveBack(t, changed);
       }
       this->UndoFolds(this->TrianglesAround(changed), &changed);
       suspects = this->TrianglesAround(changed); // only these can cut what they did not before
@@ -161,31 +167,81 @@ private:
     }
   }
 
-  /// Of the pairs with one of `suspects` that cut each other, the triangles that have moved.
-  std::vector<Index> CuttingTriangles(const std::vector<Index>& suspects) const
+  /// Takes back what makes two triangles cut each other. `moved` is kept as it is now.
+  void Part(const std::array<Index, 2>& pair, Mesh& moved, std::vector<Index>& changed)
   {
-    Mesh moved;
-    moved.Points = this->ThePlacement.AllPoints();
-    moved.Triangles = this->TheMesh.Triangles;
-    std::vector<Index> cutting;
-    for (const auto& pair : FindIntersections(moved, suspects))
+    if (this->AreOfTwoPatches(pair))
+    {
+      if (!CutThrough(moved, pair[0], pair[1]) || this->PartPatches(pair, moved, changed))
+      {
+        return;
+      }
+    }
+    for (Index t : pair)
+    {
+      this->GiveBack(t, changed);
+      for (Index v : this->TheMesh.Triangles[t])
+      {
+        moved.Points[v] = this->ThePlacement.PointOf(v);
+      }
+    }
+  }
+
+  bool AreOfTwoPatches(const std::array<Index, 2>& pair) const
+  {
+    const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
+    return !patchOf.empty() && patchOf[pair[0]] != patchOf[pair[1]];
+  }
+
+  /// Takes one vertex back, no farther than needed: where patches meet they are near each other all
+  /// along, and cut each other by a little.
+  bool PartPatches(const std::array<Index, 2>& pair, Mesh& moved, std::vector<Index>& changed)
+  {
+    for (const double kept : { 0.9, 0.75, 0.5, 0.25, 0.0 })
     {
       for (Index t : pair)
       {
-        if (this->Moved(this->TheMesh.Triangles[t]))
+        for (Index v : this->TheMesh.Triangles[t])
         {
-          cutting.push_back(t);
+          if (this->TakeBack(v, kept, pair, moved))
+          {
+            changed.push_back(v);
+            return true;
+          }
         }
       }
     }
-    SortUnique(cutting);
-    return cutting;
+    return false;
+  }
+
+  /// Takes a vertex back to a part of its way, if then the triangles do not cut each other, and
+  /// nothing folds that did not.
+  bool TakeBack(Index v, double kept, const std::array<Index, 2>& pair, Mesh& moved)
+  {
+    if (!this->Moved(v) || (kept > 0.0 && this->StepsBack[v] == MostSteps))
+    {
+      return false;
+    }
+    const Vec3 before = this->ThePlacement.PointOf(v);
+    const int folded = this->FoldedAround(v);
+    moved.Points[v] = kept > 0.0 ? Vec3(kept * before + (1.0 - kept) * this->TheMesh.Points[v])
+                                 : this->TheMesh.Points[v];
+    this->ThePlacement.SetPoint(v, moved.Points[v]);
+    if (CutThrough(moved, pair[0], pair[1]) || this->FoldedAround(v) > folded)
+    {
+      moved.Points[v] = before;
+      this->ThePlacement.SetPoint(v, before);
+      return false;
+    }
+    ++this->StepsBack[v];
+    return true;
   }
 
   const Mesh& TheMesh;
   const Connectivity& TheConnectivity;
   Placement& ThePlacement;
   std::vector<Index> Labelled;
+  std::vector<int> StepsBack; // that each vertex has gone where patches cut each other
 };
 }
 
