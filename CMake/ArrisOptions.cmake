@@ -5,6 +5,7 @@ option(ARRIS_BUILD_TOOLS "Build the arris program" ON)
 option(ARRIS_BUILD_TESTING "Build the tests" ON)
 option(ARRIS_BUILD_BENCHMARKS "Build the programs that time the filters (needs Google Benchmark)" OFF)
 option(ARRIS_BUILD_PLUGIN "Build for ParaView's VTK, with the ParaView plugin" OFF)
+option(ARRIS_BUILD_FUZZERS "Build the fuzzers of Testing/Fuzz (clang only)" OFF)
 option(ARRIS_WARNINGS_AS_ERRORS "Stop at any compiler warning" OFF)
 set(ARRIS_SANITIZE "" CACHE STRING
   "Sanitizers to build with, for example address;undefined or thread")
@@ -38,4 +39,10 @@ if (ARRIS_SANITIZE)
   add_compile_options(
     "-fsanitize=${arris_sanitizers}" -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options("-fsanitize=${arris_sanitizers}")
+endif ()
+
+if (ARRIS_BUILD_FUZZERS)
+  # Counts which branches an input has reached; what numbers are compared with is left out, as that
+  # takes half of the time.
+  add_compile_options(-fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp)
 endif ()

@@ -4,6 +4,7 @@
 #include "vtkSharpEdgeExtractor.h"
 
 #include "Core/Features/FeatureExtraction.h"
+#include "Core/Features/Resampling.h"
 #include "Support/Arrays.h"
 #include "Support/FeatureOutputs.h"
 #include "Support/FilterMonitor.h"
@@ -200,6 +201,15 @@ int vtkSharpEdgeExtractor::RequestData(
         mesh, surface.Adjacency, parameters, arris::MonitorOf(this), features))
   {
     output->Initialize();
+    return 1;
+  }
+  const std::string problemWithStep = this->ResampleStep > 0.0
+    ? arris::ProblemWithStep(features.Network.Curves, mesh.Points, this->ResampleStep)
+    : std::string();
+  if (!problemWithStep.empty())
+  {
+    output->Initialize();
+    vtkErrorMacro(<< problemWithStep);
     return 1;
   }
   arris::FillCurves(

@@ -159,7 +159,8 @@ public:
 
   ///@{
   /// The distance of the points along a curve, as a length, or as near to it as goes evenly; arrays
-  /// are interpolated. Range: from 0; default 0, which keeps the mesh's points.
+  /// are interpolated. Range: from 0, with an error where curves would get more than a million
+  /// points above their own; default 0, which keeps the mesh's points.
   vtkSetMacro(ResampleStep, double);
   vtkGetMacro(ResampleStep, double);
   ///@}

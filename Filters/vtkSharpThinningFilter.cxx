@@ -41,7 +41,7 @@ int vtkSharpThinningFilter::RequestMesh(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* skeletonOutput = vtkPolyData::GetData(outputVector, 1);
-  if (input->GetNumberOfPoints() == 0)
+  if (input->GetNumberOfPoints() == 0 && input->GetNumberOfCells() == 0)
   {
     output->ShallowCopy(input);
     return 1;

@@ -35,7 +35,7 @@ int vtkSharpeningFilter::RequestMesh(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (input->GetNumberOfPoints() == 0)
+  if (input->GetNumberOfPoints() == 0 && input->GetNumberOfCells() == 0)
   {
     output->ShallowCopy(input);
     return 1;

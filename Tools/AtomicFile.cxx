@@ -9,9 +9,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
@@ -28,6 +30,10 @@ Failure CannotWrite(const std::string& path, int error)
   if (error == ENOSPC || error == EDQUOT)
   {
     advice = "free some space or write to another place";
+  }
+  else if (error == EFBIG)
+  {
+    advice = "raise the limit of the size of files (ulimit -f)";
   }
   else if (error == ENOENT)
   {
@@ -104,6 +110,14 @@ public:
 private:
   std::string Folder;
 };
+
+/// Whether a file has come to where files may not grow any more (`ulimit -f`).
+bool IsAtLimit(off_t size)
+{
+  struct rlimit limit;
+  return getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+    static_cast<rlim_t>(size) >= limit.rlim_cur;
+}
 
 bool WriteAll(int file, const char* bytes, ssize_t count)
 {
@@ -194,11 +208,31 @@ void WriteAtomically(
   const std::string& path, const std::function<void(const std::string& scratch)>& write)
 {
   // Not all of VTK's writers notice that a disk is full. So they write to memory, and the bytes go
-  // from there to the disk with every step checked.
+  // from there to the disk with every step checked. Files in memory obey the limit of size, too.
   const Scratch scratch(Extension(path));
-  write(scratch.Name);
+  std::exception_ptr problem;
+  try
+  {
+    write(scratch.Name);
+  }
+  catch (const Failure&)
+  {
+    problem = std::current_exception();
+  }
   struct stat written;
-  if (fstat(scratch.Memory, &written) != 0 || written.st_size == 0)
+  if (fstat(scratch.Memory, &written) != 0)
+  {
+    throw CannotWrite(path, errno);
+  }
+  if (IsAtLimit(written.st_size))
+  {
+    throw CannotWrite(path, EFBIG);
+  }
+  if (problem)
+  {
+    std::rethrow_exception(problem);
+  }
+  if (written.st_size == 0)
   {
     throw Failure(path, "cannot be written: its writer gave nothing", "try another format");
   }

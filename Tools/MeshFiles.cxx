@@ -4,6 +4,7 @@
 #include "MeshFiles.h"
 
 #include "AtomicFile.h"
+#include "CrashGuard.h"
 #include "ErrorCapture.h"
 #include "Failure.h"
 #include "InputFile.h"
@@ -189,11 +190,20 @@ vtkSmartPointer<vtkAlgorithm> CreateByExtension(
   return Create<vtkOBJWriter>(mesh, path);
 }
 
-/// Runs a writer; its cause if it fails.
-std::string RunWriter(vtkAlgorithm* writer)
+Failure Unwritable(const std::string& path, const std::string& cause)
+{
+  return Failure(path, "cannot be written: " + cause, "try another format or another place");
+}
+
+/// Runs a writer; its cause if it fails. Some crash where a file may not grow any more.
+std::string RunWriter(vtkAlgorithm* writer, const std::string& path)
 {
   const ErrorCapture capture;
-  writer->Update();
+  {
+    const CrashGuard guard(
+      std::string("arris: ") + Unwritable(path, "its writer has failed").what() + "\n");
+    writer->Update();
+  }
   const std::string cause = capture.FirstError();
   return cause.empty() && writer->GetErrorCode() != 0 ? "the writer failed" : cause;
 }
@@ -258,11 +268,11 @@ void WriteMesh(vtkPolyData* mesh, const std::string& path, ProgressBar& progress
     {
       const auto writer = CreateByExtension(mesh, scratch, Extension(path));
       progress.Follow("writing", writer);
-      const std::string cause = RunWriter(writer);
+      const std::string cause = RunWriter(writer, path);
       progress.Clear();
       if (!cause.empty())
       {
-        throw Failure(path, "cannot be written: " + cause, "try another format or another place");
+        throw Unwritable(path, cause);
       }
     });
 }

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <new>
 
@@ -76,6 +77,8 @@ int RunCommand(const std::vector<Command>& commands)
 
 int RunProgram(int argc, const char* const* argv)
 {
+  // A write beyond the limit of a file's size fails, as one to a full disk does, and is told so.
+  std::signal(SIGXFSZ, SIG_IGN);
   const ErrorCapture silence; // what the program says, it says in its own words
   try
   {

@@ -64,6 +64,10 @@ WindowGrid::WindowGrid(const Mesh& mesh, double radius)
   this->Locator->SetMaxNumberOfBuckets(static_cast<vtkIdType>(cubesAllowed));
   this->Locator->SetDivisions(
     static_cast<int>(wanted[0]), static_cast<int>(wanted[1]), static_cast<int>(wanted[2]));
+  if (mesh.Triangles.empty())
+  {
+    return; // the locator would complain
+  }
   this->Locator->BuildLocator(); // here, as it may not be built by the threads that query it
 }
 
@@ -90,6 +94,11 @@ bool SpatialWindow::SharesPatch(Index vertex, Index triangle) const
 
 const std::vector<Index>& SpatialWindow::Gather(Index vertex, double radius)
 {
+  this->Window.clear();
+  if (this->TheMesh.Triangles.empty())
+  {
+    return this->Window;
+  }
   const Vec3& center = this->TheMesh.Points[vertex];
   double box[6];
   for (int axis = 0; axis < 3; ++axis)
@@ -100,7 +109,6 @@ const std::vector<Index>& SpatialWindow::Gather(Index vertex, double radius)
   // The locator answers with all the triangles of every cube that the box touches.
   const_cast<vtkStaticCellLocator*>(this->Grid.Locator.Get())
     ->FindCellsWithinBounds(box, this->Found);
-  this->Window.clear();
   for (vtkIdType i = 0; i < this->Found->GetNumberOfIds(); ++i)
   {
     const Index t = static_cast<Index>(this->Found->GetId(i));

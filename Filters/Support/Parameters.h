@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <sstream>
 #include <string>
 
 namespace arris
@@ -50,26 +51,50 @@ constexpr double DefaultMergeTolerance = 1e-6;
 /// How near a shape must be to a face to fit it (RMS), in the face's mean edge lengths.
 constexpr double DefaultFitTolerance = 0.03;
 
+/// Lengths that can be reckoned with, whatever their unit: up to their sixth powers stay within the
+/// range of double precision.
+constexpr double LargestLength = 1e50;
+constexpr double SmallestLength = 1e-50;
+
+/// The largest coordinate in single precision, so that a vertex that moves by a few edges stays
+/// within its range, too.
+constexpr double LargestSingle = 1e36;
+
+/// Whether a number is a length, or a ratio of lengths, in that range.
+inline bool IsLength(double value)
+{
+  return value >= SmallestLength && value <= LargestLength;
+}
+
 /// The window radius in units of length: as given, or by the ratio where none is given.
 inline double WindowRadius(double window, double ratio, double averageEdgeLength)
 {
   return window > 0.0 ? window : ratio * averageEdgeLength;
 }
 
+/// A number as messages show it: short, whatever its size.
+inline std::string Written(double value)
+{
+  std::ostringstream words;
+  words << value;
+  return words.str();
+}
+
 /// What is wrong with a number that must be above 0, or nothing.
 inline std::string ProblemWithRatio(const char* name, double value)
 {
-  return std::isfinite(value) && value > 0.0
+  return IsLength(value)
     ? std::string()
-    : std::string(name) + " must be greater than 0; it is " + std::to_string(value);
+    : std::string(name) + " must be greater than 0, from 1e-50 to 1e50; it is " + Written(value);
 }
 
 /// What is wrong with the size of the window, or nothing.
 inline std::string ProblemWithWindow(double window, double ratio)
 {
-  if (!std::isfinite(window) || window < 0.0)
+  if (window != 0.0 && !IsLength(window))
   {
-    return "Window must be a length, or 0 to use WindowRatio; it is " + std::to_string(window);
+    return "Window must be a length, from 1e-50 to 1e50, or 0 to use WindowRatio; it is " +
+      Written(window);
   }
   return window == 0.0 ? ProblemWithRatio("WindowRatio", ratio) : std::string();
 }
@@ -97,7 +122,7 @@ inline std::string ProblemWithAngle(const char* name, double degrees)
   if (!(degrees > 0.0 && degrees <= 180.0))
   {
     return std::string(name) + " must be greater than 0 and at most 180 degrees; it is " +
-      std::to_string(degrees);
+      Written(degrees);
   }
   return {};
 }
@@ -111,10 +136,10 @@ inline std::string ProblemWithOptionalAngle(const char* name, double degrees)
 /// What is wrong with a number that must not be below 0, or nothing.
 inline std::string ProblemWithSize(const char* name, double value)
 {
-  if (!(std::isfinite(value) && value >= 0.0))
+  if (!(value >= 0.0 && value <= LargestLength))
   {
-    return std::string(name) + " must be a number that is not negative; it is " +
-      std::to_string(value);
+    return std::string(name) + " must be a number that is not negative, up to 1e50; it is " +
+      Written(value);
   }
   return {};
 }
@@ -122,8 +147,9 @@ inline std::string ProblemWithSize(const char* name, double value)
 /// What is wrong with a length of which a negative one means that it is found automatically.
 inline std::string ProblemWithLength(const char* name, double value)
 {
-  return std::isfinite(value) ? std::string()
-                              : std::string(name) + " must be a length, or negative for automatic";
+  return std::isfinite(value) && value <= LargestLength ? std::string()
+                                                        : std::string(name) +
+      " must be a length up to 1e50, or negative for automatic; it is " + Written(value);
 }
 
 /// The first of some problems that is not empty; else what `check` says, which runs only then.

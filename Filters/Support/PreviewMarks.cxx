@@ -7,6 +7,7 @@
 #include "Core/Geometry.h"
 #include "Support/Arrays.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -16,6 +17,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
 #include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
@@ -43,9 +45,17 @@ vtkNew<vtkUnsignedCharArray> Roles(vtkIdType count, SkeletonRole role)
   return roles;
 }
 
+/// In double precision: marks may be farther out than single precision reaches.
+vtkSmartPointer<vtkPoints> NewPoints()
+{
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  return points;
+}
+
 vtkNew<vtkPolyData> OutlineLines(const Mesh& mesh, const std::vector<OutlineSegment>& outline)
 {
-  vtkNew<vtkPoints> points;
+  const auto points = NewPoints();
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkFloatArray> normals; // of the surface, so that the lines are lit as it is
   normals->SetName("Normals");
@@ -70,7 +80,7 @@ vtkNew<vtkPolyData> OutlineLines(const Mesh& mesh, const std::vector<OutlineSegm
 vtkNew<vtkPolyData> Tubes(const Mesh& mesh, const Skeleton& skeleton, double radius)
 {
   vtkNew<vtkPolyData> curves;
-  vtkNew<vtkPoints> points;
+  const auto points = NewPoints();
   vtkNew<vtkCellArray> lines;
   for (const Curve& curve : JoinEdges(skeleton.Edges(), mesh.Points).Curves)
   {
@@ -88,6 +98,7 @@ vtkNew<vtkPolyData> Tubes(const Mesh& mesh, const Skeleton& skeleton, double rad
   {
     vtkNew<vtkTubeFilter> tubes;
     tubes->SetInputData(curves);
+    tubes->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     tubes->SetRadius(radius);
     tubes->SetNumberOfSides(TubeSides);
     tubes->Update();
@@ -99,7 +110,7 @@ vtkNew<vtkPolyData> Tubes(const Mesh& mesh, const Skeleton& skeleton, double rad
 
 vtkNew<vtkPolyData> Balls(const Mesh& mesh, const Skeleton& skeleton, double tubeRadius)
 {
-  vtkNew<vtkPoints> points;
+  const auto points = NewPoints();
   vtkNew<vtkUnsignedCharArray> roles;
   roles->SetName(array::SkeletonRole);
   vtkNew<vtkFloatArray> sizes;
@@ -124,12 +135,14 @@ vtkNew<vtkPolyData> Balls(const Mesh& mesh, const Skeleton& skeleton, double tub
   if (points->GetNumberOfPoints() > 0)
   {
     vtkNew<vtkSphereSource> ball;
+    ball->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     ball->SetRadius(tubeRadius);
     ball->SetThetaResolution(BallSteps);
     ball->SetPhiResolution(BallRings);
     vtkNew<vtkGlyph3D> glyphs;
     glyphs->SetInputData(centers);
     glyphs->SetSourceConnection(ball->GetOutputPort());
+    glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     glyphs->SetScaleModeToScaleByScalar();
     glyphs->FillCellDataOn();
     glyphs->Update();

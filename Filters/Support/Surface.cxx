@@ -4,6 +4,7 @@
 #include "Surface.h"
 
 #include "Core/Parallel.h"
+#include "Support/Parameters.h"
 
 #include <vtkArrayDispatch.h>
 #include <vtkCellArray.h>
@@ -30,11 +31,12 @@ namespace
 /// The most cells for which three corners a triangle still fit an Index.
 constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
 
-/// Copies points of any type, in parallel, and looks whether they are finite.
+/// Copies points of any type, in parallel, and looks whether they can be reckoned with.
 struct PointReader
 {
   std::vector<Vec3>& Points;
-  std::atomic<vtkIdType> FirstNonFinite;
+  double Largest; ///< coordinate
+  std::atomic<vtkIdType> FirstOutOfRange;
 
   template <typename ArrayType>
   void operator()(ArrayType* array)
@@ -50,7 +52,8 @@ struct PointReader
           {
             to[axis] = static_cast<double>(from[v][axis]);
           }
-          if (!to.allFinite())
+          // Not of NaN either.
+          if (!(to.array().abs() <= this->Largest).all())
           {
             this->Report(v);
           }
@@ -60,8 +63,8 @@ struct PointReader
 
   void Report(vtkIdType v)
   {
-    vtkIdType first = this->FirstNonFinite;
-    while (v < first && !this->FirstNonFinite.compare_exchange_weak(first, v))
+    vtkIdType first = this->FirstOutOfRange;
+    while (v < first && !this->FirstOutOfRange.compare_exchange_weak(first, v))
     {
     }
   }
@@ -76,16 +79,22 @@ std::string ReadPoints(vtkPolyData* input, std::vector<Vec3>& points)
   {
     return {};
   }
-  PointReader reader{ points, { count } };
   vtkDataArray* array = input->GetPoints()->GetData();
+  const bool single = array->GetDataType() == VTK_FLOAT;
+  PointReader reader{ points, single ? LargestSingle : LargestLength, { count } };
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(array, reader))
   {
     reader(array);
   }
-  const vtkIdType bad = reader.FirstNonFinite;
-  return bad < count
-    ? "point " + std::to_string(bad) + " has a coordinate that is not a finite number"
-    : std::string();
+  const vtkIdType bad = reader.FirstOutOfRange;
+  if (bad == count)
+  {
+    return {};
+  }
+  return "point " + std::to_string(bad) +
+    (points[bad].allFinite()
+        ? " is too far away: no coordinate may be larger than " + Written(reader.Largest)
+        : " has a coordinate that is not a finite number");
 }
 
 /// Copies cells in parallel as long as each is a triangle of three different points that are there.
@@ -287,6 +296,13 @@ std::string ReadCells(vtkPolyData* input, vtkPolyData* output, Surface& surface)
   }
   return problem;
 }
+
+std::string ProblemWithScale(const Surface& surface)
+{
+  return surface.AverageEdgeLength > 0.0 && surface.AverageEdgeLength < SmallestLength
+    ? "the mesh is too small: its edges must be longer than 1e-50 on average"
+    : std::string();
+}
 }
 
 std::string ReadTriangles(vtkPolyData* input, vtkPolyData* output, Surface& surface)
@@ -308,6 +324,11 @@ std::string ReadSurface(vtkPolyData* input, vtkPolyData* output, Surface& surfac
   {
     surface.Adjacency = Connectivity(surface.Triangulation);
     surface.AverageEdgeLength = AverageEdgeLength(surface.Triangulation, surface.Adjacency);
+    problem = ProblemWithScale(surface);
+  }
+  if (!problem.empty())
+  {
+    output->Initialize();
   }
   return problem;
 }

@@ -60,8 +60,9 @@ struct Surface
 /// cut from) and vertices and lines as they are. Then fills `surface` from it.
 ///
 /// Returns what is wrong with the input, in words for a user, or nothing. Wrong is: a point that is
-/// not finite, a cell that names a point that is not there, a polygon that cannot be cut into
-/// triangles, more cells than 32-bit indices can count.
+/// not finite or beyond 1e50 (in single precision, 1e36), a mesh of edges below 1e-50, a cell that
+/// names a point that is not there, a polygon that cannot be cut into triangles, more cells than
+/// 32-bit indices can count.
 ARRISFILTERS_EXPORT std::string ReadSurface(
   vtkPolyData* input, vtkPolyData* output, Surface& surface);
 

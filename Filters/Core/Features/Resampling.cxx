@@ -5,9 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace arris
 {
+namespace
+{
+/// Into how many pieces a curve is cut: a whole number, or infinity.
+double PiecesOf(const Curve& curve, double length, double step)
+{
+  return std::max(IsClosed(curve) ? 3.0 : 1.0, std::round(length / step));
+}
+}
+
 std::vector<CurvePoint> VerticesOf(const Curve& curve)
 {
   std::vector<CurvePoint> vertices;
@@ -23,8 +33,7 @@ std::vector<CurvePoint> Resampled(const Curve& curve, const std::vector<Vec3>& p
   // Along the polyline itself: a spline would be rounder, but leave the mesh.
   const double length = LengthOf(curve, points);
   const bool closed = IsClosed(curve);
-  const double wanted = std::min(std::round(length / step), static_cast<double>(MostSteps));
-  const auto steps = std::max<std::size_t>(closed ? 3 : 1, static_cast<std::size_t>(wanted));
+  const auto steps = static_cast<std::size_t>(PiecesOf(curve, length, step));
   std::vector<CurvePoint> samples;
   std::size_t edge = 0;
   double before = 0.0; // the length up to the edge
@@ -46,5 +55,25 @@ std::vector<CurvePoint> Resampled(const Curve& curve, const std::vector<Vec3>& p
     samples.push_back({ curve.size() - 1, 0.0 });
   }
   return samples;
+}
+
+std::string ProblemWithStep(
+  const std::vector<Curve>& curves, const std::vector<Vec3>& points, double step)
+{
+  double most = MostPointsAdded;
+  double wanted = 0.0;
+  for (const Curve& curve : curves)
+  {
+    most += static_cast<double>(curve.size());
+    wanted += PiecesOf(curve, LengthOf(curve, points), step);
+  }
+  if (wanted <= most)
+  {
+    return {};
+  }
+  std::ostringstream words;
+  words << "ResampleStep is too small: " << step << " would put " << wanted
+        << " points on the curves, and " << most << " is the most";
+  return words.str();
 }
 }

@@ -9,10 +9,13 @@
 
 #include "Core/Curves.h"
 
+#include <string>
+
 namespace arris
 {
-/// No curve gets more points than this, however small the step.
-constexpr std::size_t MostSteps = 1000000;
+/// So many points more than the curves of a mesh have may be put on them. A mesh of ten million
+/// triangles has some ten thousand edges that are sharp: a hundred on each.
+constexpr double MostPointsAdded = 1e6;
 
 /// A point on the edge that follows a curve's vertex.
 struct CurvePoint
@@ -26,9 +29,14 @@ ARRISFILTERS_EXPORT std::vector<CurvePoint> VerticesOf(const Curve& curve);
 
 /// Points on a curve, `step` apart along it, or as near to that as goes evenly into its length.
 /// Both ends are among them; a closed curve has three points at least, and begins with its first
-/// vertex.
+/// vertex. The step must be one that ProblemWithStep finds nothing wrong with.
 ARRISFILTERS_EXPORT std::vector<CurvePoint> Resampled(
   const Curve& curve, const std::vector<Vec3>& points, double step);
+
+/// What is wrong with the step between the points on curves, or nothing: one that is so small that
+/// they would not fit into memory.
+ARRISFILTERS_EXPORT std::string ProblemWithStep(
+  const std::vector<Curve>& curves, const std::vector<Vec3>& points, double step);
 }
 
 #endif

@@ -173,3 +173,15 @@ TEST(Resampling, KeepsAClosedCurveClosed)
   EXPECT_EQ(Resampled({ 0, 1, 2, 3 }, points, 100.0).size(), 2u);
   EXPECT_EQ(VerticesOf({ 0, 1, 2, 3, 0 }).size(), 4u);
 }
+
+TEST(Resampling, RefusesAStepThatWouldFillTheMemory)
+{
+  const std::vector<Vec3> points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 2, 0) };
+  const std::vector<Curve> curves = { { 0, 1, 2 }, { 0, 1 } };
+  EXPECT_EQ(ProblemWithStep(curves, points, 4.1 / MostPointsAdded), "");
+  EXPECT_EQ(ProblemWithStep(curves, points, 1e9), "") << "however many curves there are";
+  EXPECT_EQ(ProblemWithStep(curves, points, 1e-12),
+    "ResampleStep is too small: 1e-12 would put 4e+12 points on the curves, and 1e+06 is the most");
+  constexpr double Least = std::numeric_limits<double>::denorm_min();
+  EXPECT_NE(ProblemWithStep(curves, points, Least), "");
+}

@@ -55,6 +55,48 @@ TEST_P(Errors, CellsThatNameAMissingPoint)
   }
 }
 
+TEST_P(Errors, CellsWithoutAnyPoint)
+{
+  vtkNew<vtkPolyData> input;
+  vtkNew<vtkCellArray> triangles;
+  AddCell(triangles, { 0, 1, 2 });
+  input->SetPolys(triangles);
+  AddQuietArrays(input);
+  ExpectOneError(this->Filter, input, "names point 0, but there are 0 points");
+}
+
+TEST_P(Errors, PointsTooFarAway)
+{
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    const auto input = Copy(this->Input);
+    vtkNew<vtkPoints> points;
+    points->SetDataType(type);
+    points->DeepCopy(input->GetPoints());
+    points->SetPoint(17, 0.0, type == VTK_FLOAT ? 2e36 : 2e50, 0.0);
+    input->SetPoints(points);
+    ExpectOneError(GetParam().New(), input,
+      type == VTK_FLOAT ? "point 17 is too far away: no coordinate may be larger than 1e+36"
+                        : "point 17 is too far away: no coordinate may be larger than 1e+50");
+  }
+}
+
+TEST_P(Errors, AMeshOfEdgesTooShortToReckonWith)
+{
+  const auto input = Copy(this->Input);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(input->GetNumberOfPoints());
+  for (vtkIdType v = 0; v < input->GetNumberOfPoints(); ++v)
+  {
+    Point3 p;
+    input->GetPoint(v, p.data());
+    points->SetPoint(v, (1e-60 * p).eval().data());
+  }
+  input->SetPoints(points);
+  ExpectOneError(this->Filter, input, "the mesh is too small");
+}
+
 TEST_P(Errors, StripsThatNameAMissingPoint)
 {
   vtkNew<vtkCellArray> strips;
@@ -214,8 +256,8 @@ TEST(ErrorsOfParameters, OfTheExtractorsSizes)
     [](Filter* filter, double value) { filter->SetMinimumLength(value); }, bad, "MinimumLength");
   ExpectExtractorErrors(
     [](Filter* filter, double value) { filter->SetMergeTolerance(value); }, bad, "MergeTolerance");
-  ExpectExtractorErrors(
-    [](Filter* filter, double value) { filter->SetResampleStep(value); }, bad, "ResampleStep");
+  ExpectExtractorErrors([](Filter* filter, double value) { filter->SetResampleStep(value); },
+    { -1.0, NotANumber, Infinite, 1e-9 }, "ResampleStep");
   ExpectExtractorErrors(
     [](Filter* filter, double value) { filter->SetFitTolerance(value); }, bad, "FitTolerance");
   ExpectExtractorErrors([](Filter* filter, double value) { filter->SetGapLength(value); },

@@ -40,7 +40,7 @@ TEST_P(Precision, OfThePointsStays)
       }
       if (this->Filter->GetOutput(port)->GetCellData()->HasArray("SkeletonRole"))
       {
-        continue; // the preview's marks: single, they are there to be drawn
+        continue; // the preview's marks: always double
       }
       ASSERT_GT(this->Filter->GetOutput(port)->GetNumberOfPoints(), 0) << "port " << port;
       EXPECT_EQ(this->Filter->GetOutput(port)->GetPoints()->GetDataType(), type) << "port " << port;
