@@ -6,6 +6,7 @@
 #include "ErrorCapture.h"
 #include "Failure.h"
 #include "InputFile.h"
+#include "NrrdCheck.h"
 #include "ProgressBar.h"
 
 #include <vtkDataArray.h>
@@ -58,6 +59,11 @@ vtkSmartPointer<vtkAlgorithm> OpenByExtension(const std::string& path)
   }
   if (extension == ".nrrd")
   {
+    const std::string problem = ProblemWithNrrd(path);
+    if (!problem.empty())
+    {
+      throw Unreadable(path, problem);
+    }
     return OpenIfReadable<vtkNrrdReader>(path, "NRRD");
   }
   if (extension == ".vtk")

@@ -94,6 +94,13 @@ class Faults(ProgramTest):
         whole = header.encode() + bytes(4 * 8**3)
         self.assert_cut("cut.nrrd", whole, "contour", "cut.nrrd", "--value=0", "-o", "new.vtp")
 
+    def test_header_without_an_end(self):
+        """VTK's reader would look for it for ever."""
+        for text in ("NRRD", "NRRD0004\ntype: float\ndimension: 3\nsizes: 8 8 8", "NRRD0004\n"):
+            self.write("endless.nrrd", text)
+            text = "endless.nrrd: cannot be read: its header does not end"
+            self.assert_fails(text, "contour", "endless.nrrd", "--value=0", "-o", "new.vtp")
+
     def test_limit_of_the_size_of_files(self):
         for suffix in MESH_WRITERS:
             if suffix == ".vtp":
