@@ -93,8 +93,9 @@ TEST_P(BedGuard, AccuracyHolds)
   RecordProperty("precision", std::to_string(precision));
 }
 
-// random0 was 90.8 and 81.9 before vertices tried the faces near them, which is worth four points of
-// precision on twelve random parts in the mean; on this one, rounded to single precision, it is not.
+// random0 was 90.8 and 81.9 before vertices tried the faces near them, which is worth four points
+// of precision on twelve random parts in the mean; on this one, rounded to single precision, it is
+// not.
 INSTANTIATE_TEST_SUITE_P(Meshes, BedGuard,
   ::testing::Values(Guarded{ "l_bracket-contour64", 0.1, 99.0, 98.2 },
     Guarded{ "random0-contour64", 0.1, 88.6, 77.1 },
