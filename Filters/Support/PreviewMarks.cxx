@@ -48,7 +48,7 @@ vtkNew<vtkUnsignedCharArray> Roles(vtkIdType count, SkeletonRole role)
 /// In double precision: marks may be farther out than single precision reaches.
 vtkSmartPointer<vtkPoints> NewPoints()
 {
-  const auto points = vtkSmartPointer<vtkPoints>::New();
+  auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   return points;
 }
