@@ -186,7 +186,7 @@ void ChangeTriangles(Decisions& decisions, Draft& draft)
   switch (decisions.Choice(6))
   {
     case 0:
-      draft.Polys.push_back(Cell(cell));
+      draft.Polys.emplace_back(cell);
       break;
     case 1:
       std::reverse(cell.begin(), cell.end());
