@@ -29,7 +29,7 @@ Vec3 MeetSheets(const Vec3& start, const std::vector<const Sheet*>& sheets, int 
     const Vec3 next = predictor.Position(std::numeric_limits<double>::max(), most);
     const double moved = (next - point).norm();
     point = next;
-    if (moved <= 1e-12 * (1.0 + point.norm()))
+    if (moved <= 1e-12 * (point - start).norm())
     {
       break;
     }

@@ -11,11 +11,13 @@
 #include "Core/FreeBoundary.h"
 #include "Ridge.h"
 
+#include "ArrisFiltersModule.h" // for the export macro
+
 #include <memory>
 
 namespace arris
 {
-class Placement
+class ARRISFILTERS_EXPORT Placement
 {
 public:
   Placement(const Mesh& mesh, const Connectivity& connectivity, const Labelling& labelling,

@@ -9,6 +9,7 @@
 #include "Core/StopWatch.h"
 #include "Denoised.h"
 #include "Junctions.h"
+#include "GiveBack.h"
 #include "MeetingEdges.h"
 #include "Placement.h"
 #include "Retreat.h"
@@ -319,6 +320,8 @@ private:
     {
       PutIntactBack(mesh.Before, placement);
     }
+    GiveBackTheMoreCreased(
+      mesh.Now, mesh.TheConnectivity, mesh.Region, mesh.Before.Points, placement);
     const std::vector<Vec3> wanted = placement.AllPoints();
     Retreat(this->IsRough() ? mesh.Before : mesh.Now, mesh.TheConnectivity, placement);
     for (std::size_t v = 0; v < mesh.Region.size(); ++v)
