@@ -61,7 +61,7 @@ public:
   {
     const std::vector<Index>& next = this->Neighbors.at(vertex);
     Wall wall;
-    const Vec3 normal = this->SurfaceNormal(vertex);
+    const Vec3 normal = DirectionOf(AreaVectorAround(this->TheMesh, this->TheConnectivity, vertex));
     if (next.size() != 2 || !(normal.norm() > 0.0))
     {
       wall.Fixed = true; // curves meet here
@@ -93,17 +93,6 @@ private:
       }
     }
     return true;
-  }
-
-  Vec3 SurfaceNormal(Index vertex) const
-  {
-    Vec3 sum = Vec3::Zero();
-    for (Index t : this->TheConnectivity.TrianglesOfVertex[vertex])
-    {
-      sum += Corners(this->TheMesh, t).AreaVector();
-    }
-    const double length = sum.norm();
-    return length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
   }
 
   /// Adds the points along the boundary from `start` over `next`, up to that far away.

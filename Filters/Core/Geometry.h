@@ -42,6 +42,30 @@ struct Corners
   Vec3 Centroid() const { return (this->A + this->B + this->C) / 3.0; }
 };
 
+/// The normals of the triangles around a vertex, twice their areas long, added up.
+inline Vec3 AreaVectorAround(const std::vector<Triangle>& triangles,
+  const std::vector<Vec3>& points, const Connectivity& connectivity, Index vertex)
+{
+  Vec3 sum = Vec3::Zero();
+  for (Index t : connectivity.TrianglesOfVertex[vertex])
+  {
+    const Triangle& c = triangles[t];
+    sum += Corners(points[c[0]], points[c[1]], points[c[2]]).AreaVector();
+  }
+  return sum;
+}
+inline Vec3 AreaVectorAround(const Mesh& mesh, const Connectivity& connectivity, Index vertex)
+{
+  return AreaVectorAround(mesh.Triangles, mesh.Points, connectivity, vertex);
+}
+
+/// The direction of a vector; zero if it has none.
+inline Vec3 DirectionOf(const Vec3& vector)
+{
+  const double length = vector.norm();
+  return length > 0.0 ? Vec3(vector / length) : Vec3(Vec3::Zero());
+}
+
 /// The diagonal of the box around all points; 0 if there are none.
 ARRISFILTERS_EXPORT double Diagonal(const Mesh& mesh);
 

@@ -213,6 +213,22 @@ Connectivity::Connectivity(const Mesh& mesh)
   SpreadNeighbors(mesh, this->TrianglesOfVertex, lengths, this->NeighborsOfVertex);
 }
 
+Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity)
+{
+  Flags open(mesh.Points.size(), 0);
+  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (connectivity.AcrossEdge[t][k] == NoIndex)
+      {
+        open[mesh.Triangles[t][k]] = open[mesh.Triangles[t][Next(k)]] = 1;
+      }
+    }
+  }
+  return open;
+}
+
 double AverageEdgeLength(const Mesh& mesh, const Connectivity& connectivity)
 {
   // Summed in the order of storage: a sum by threads would depend on their number.

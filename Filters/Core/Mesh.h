@@ -66,6 +66,9 @@ struct ARRISFILTERS_EXPORT Connectivity
   explicit Connectivity(const Mesh& mesh);
 };
 
+/// 1 for the ends of edges with one triangle.
+Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity);
+
 /// The mean length of the mesh's edges, each counted once (the paper's L with a bar).
 ARRISFILTERS_EXPORT double AverageEdgeLength(const Mesh& mesh, const Connectivity& connectivity);
 

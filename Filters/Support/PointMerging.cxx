@@ -4,39 +4,14 @@
 #include "PointMerging.h"
 
 #include "Core/Assembly/CoincidentPoints.h"
+#include "Core/Flagged.h"
 #include "Core/Geometry.h"
-
-#include <algorithm>
 
 namespace arris
 {
-namespace
-{
-/// The ends of edges with one triangle, ascending.
-std::vector<Index> OpenVertices(const Surface& surface)
-{
-  std::vector<Index> open;
-  for (std::size_t t = 0; t < surface.Triangulation.Triangles.size(); ++t)
-  {
-    const Triangle& triangle = surface.Triangulation.Triangles[t];
-    for (int k = 0; k < 3; ++k)
-    {
-      if (surface.Adjacency.AcrossEdge[t][k] == NoIndex)
-      {
-        open.push_back(triangle[k]);
-        open.push_back(triangle[Next(k)]);
-      }
-    }
-  }
-  std::sort(open.begin(), open.end());
-  open.erase(std::unique(open.begin(), open.end()), open.end());
-  return open;
-}
-}
-
 void MergeOpenPoints(double tolerance, Surface& surface)
 {
-  const std::vector<Index> open = OpenVertices(surface);
+  const std::vector<Index> open = Flagged(OpenVertices(surface.Triangulation, surface.Adjacency));
   if (open.empty())
   {
     return;

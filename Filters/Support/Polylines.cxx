@@ -3,13 +3,13 @@
 
 #include "Polylines.h"
 
+#include "Core/SortUnique.h"
+
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-
-#include <algorithm>
 
 namespace arris
 {
@@ -41,8 +41,7 @@ void FillPolylines(vtkPolyData* lines, const std::vector<Curve>& curves, vtkPoly
   {
     used.insert(used.end(), curve.begin(), curve.end());
   }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  SortUnique(used);
   TakePoints(lines, used, mesh);
 
   vtkNew<vtkCellArray> cells;

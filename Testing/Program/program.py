@@ -140,6 +140,19 @@ class ProgramTest(unittest.TestCase):
             **options,
         )
 
+    def run_in_own_mounts(self, script):
+        """A shell script with the program as $0, where it may mount; skips where nobody may."""
+        run = subprocess.run(
+            ["unshare", "-rm", "sh", "-c", script, PROGRAM],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        if "unshare" in run.stderr or run.returncode == 9:
+            self.skipTest("may not mount: " + run.stderr)
+        return run
+
     def assert_done(self, *arguments, **options):
         """Exit status 0 and nothing on standard error. Returns standard output."""
         run = self.run_program(*arguments, **options)

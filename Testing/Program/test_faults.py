@@ -27,19 +27,6 @@ class Faults(ProgramTest):
         super().setUp()
         self.write("old.vtp", OLD)
 
-    def run_in_own_mounts(self, script):
-        """A shell script with the program as $0, where it may mount; skips where nobody may."""
-        run = subprocess.run(
-            ["unshare", "-rm", "sh", "-c", script, PROGRAM],
-            cwd=self.folder,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        if "unshare" in run.stderr or run.returncode == 9:
-            self.skipTest("may not mount: " + run.stderr)
-        return run
-
     def assert_cut(self, name, whole, *arguments, may_pass=False):
         """Cut anywhere, a file is refused in one line. Text without a count may end after a line.
 

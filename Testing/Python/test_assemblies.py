@@ -40,6 +40,14 @@ class Assemblies(unittest.TestCase):
         recovery.Update()
         cls.recovery = recovery
 
+    def blocks(self):
+        """The patches' ids, and the patches as blocks."""
+        blocks = vtkMultiBlockDataSet()
+        ids = numpy.unique(vtk_to_numpy(self.mesh.GetCellData().GetArray("PatchId")))
+        for place, number in enumerate(ids):
+            blocks.SetBlock(place, patch(self.mesh, number))
+        return ids, blocks
+
     def test_what_was_found(self):
         self.assertEqual(self.recovery.GetPatchArrayName(), "PatchId")
         self.assertGreaterEqual(self.recovery.GetNumberOfPatches(), 6)
@@ -60,10 +68,7 @@ class Assemblies(unittest.TestCase):
         self.assertGreater(share_near(self.recovery.GetOutput()), 0.57)
 
     def test_blocks_come_out_where_the_mesh_does(self):
-        blocks = vtkMultiBlockDataSet()
-        ids = numpy.unique(vtk_to_numpy(self.mesh.GetCellData().GetArray("PatchId")))
-        for place, number in enumerate(ids):
-            blocks.SetBlock(place, patch(self.mesh, number))
+        ids, blocks = self.blocks()
         recovery = vtkSharpEdgeReconstruction()
         recovery.SetInputDataObject(blocks)
         recovery.Update()
@@ -77,10 +82,7 @@ class Assemblies(unittest.TestCase):
         self.assertEqual(len(found), len(expected))
 
     def test_common_vertices_of_blocks_are_one(self):
-        blocks = vtkMultiBlockDataSet()
-        ids = numpy.unique(vtk_to_numpy(self.mesh.GetCellData().GetArray("PatchId")))
-        for place, number in enumerate(ids):
-            blocks.SetBlock(place, patch(self.mesh, number))
+        ids, blocks = self.blocks()
         recovery = vtkSharpEdgeReconstruction()
         recovery.SetInputDataObject(blocks)
         recovery.Update()

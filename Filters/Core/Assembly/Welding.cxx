@@ -15,23 +15,6 @@ namespace arris
 {
 namespace
 {
-/// The ends of edges with one triangle.
-Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity)
-{
-  Flags open(mesh.Points.size(), 0);
-  for (Index t = 0; t < mesh.TriangleCount(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (connectivity.AcrossEdge[t][k] == NoIndex)
-      {
-        open[mesh.Triangles[t][k]] = open[mesh.Triangles[t][Next(k)]] = 1;
-      }
-    }
-  }
-  return open;
-}
-
 /// The id of a vertex's first triangle.
 Index IdAt(const Connectivity& connectivity, const std::vector<Index>& ids, Index vertex)
 {

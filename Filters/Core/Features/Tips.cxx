@@ -88,11 +88,7 @@ std::vector<double> AngleDefects(const Mesh& mesh, const Connectivity& connectiv
 
 TipKind KindAt(const Mesh& mesh, const Connectivity& connectivity, Index v)
 {
-  Vec3 normal = Vec3::Zero();
-  for (const Index t : connectivity.TrianglesOfVertex[v])
-  {
-    normal += Corners(mesh, t).AreaVector();
-  }
+  const Vec3 normal = AreaVectorAround(mesh, connectivity, v);
   double height = 0.0; // above the vertices around
   for (const Index neighbor : connectivity.NeighborsOfVertex[v])
   {

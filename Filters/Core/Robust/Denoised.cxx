@@ -39,14 +39,7 @@ std::vector<Vec3> VertexNormals(
     {
       for (Index v = begin; v < end; ++v)
       {
-        Vec3 sum = Vec3::Zero();
-        for (Index t : connectivity.TrianglesOfVertex[v])
-        {
-          const Triangle& c = mesh.Triangles[t];
-          sum += Corners(points[c[0]], points[c[1]], points[c[2]]).AreaVector();
-        }
-        const double length = sum.norm();
-        normals[v] = length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
+        normals[v] = DirectionOf(AreaVectorAround(mesh.Triangles, points, connectivity, v));
       }
     });
   return normals;

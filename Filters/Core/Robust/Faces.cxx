@@ -46,8 +46,7 @@ Faces::Faces(const Mesh& mesh, const Connectivity& connectivity, double averageE
         {
           sum += this->AreaVectors[t];
         }
-        const double length = sum.norm();
-        this->VertexNormals[v] = length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
+        this->VertexNormals[v] = DirectionOf(sum);
       }
     });
 }

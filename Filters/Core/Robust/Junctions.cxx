@@ -3,8 +3,9 @@
 
 #include "Junctions.h"
 
+#include "Spread.h"
+
 #include <algorithm>
-#include <queue>
 
 namespace arris
 {
@@ -13,19 +14,6 @@ namespace
 /// As far from a junction sampling takes vertices off their face, in local scales: as from any
 /// edge.
 constexpr double JunctionReach = 1.6;
-
-/// A vertex with its distance from the junction's vertex it was reached from; nearest first.
-struct Reached
-{
-  double Distance;
-  Index Vertex;
-  Index From;
-  bool operator<(const Reached& other) const
-  {
-    return this->Distance != other.Distance ? this->Distance > other.Distance
-                                            : this->Vertex > other.Vertex;
-  }
-};
 
 /// Whether a triangle has both vertices.
 bool HasEdge(const Triangle& triangle, Index a, Index b)
@@ -58,33 +46,10 @@ bool PartsPatches(const Mesh& mesh, const Connectivity& connectivity, Index a, I
 void AddJunctions(const PatchesApart& apart, const std::vector<Vec3>& points,
   const std::vector<double>& scales, Flags& region)
 {
-  Flags done(region.size(), 0);
-  std::priority_queue<Reached> front;
-  for (std::size_t v = 0; v < region.size(); ++v)
-  {
-    if (apart.Common[v])
-    {
-      front.push({ 0.0, static_cast<Index>(v), static_cast<Index>(v) });
-    }
-  }
-  while (!front.empty())
-  {
-    const Reached at = front.top();
-    front.pop();
-    if (done[at.Vertex])
-    {
-      continue;
-    }
-    done[at.Vertex] = region[at.Vertex] = 1;
-    for (Index n : apart.Adjacency.NeighborsOfVertex[at.Vertex])
-    {
-      const double distance = (points[n] - points[at.From]).norm();
-      if (!done[n] && distance <= JunctionReach * scales[at.From])
-      {
-        front.push({ distance, n, at.From });
-      }
-    }
-  }
+  SpreadFrom(
+    apart.Common, points, apart.Adjacency,
+    [&](Index, double distance, Index from) { return distance <= JunctionReach * scales[from]; },
+    [&](Index v, Index) { region[v] = 1; });
 }
 
 void BringTogether(const PatchesApart& apart, std::size_t wholeCount, std::vector<Vec3>& points)

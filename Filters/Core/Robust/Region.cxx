@@ -5,10 +5,10 @@
 
 #include "Core/Flagged.h"
 #include "Mixed.h"
+#include "Spread.h"
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 namespace arris
 {
@@ -22,18 +22,6 @@ constexpr std::size_t SmallestSeedGroup = 6;
 constexpr double Reach = 1.6; // from a seed
 constexpr double ReachBlend = 1.2;
 constexpr double Dilation = 1.4; // of a blended edge's region
-
-/// A vertex with its distance from the seed it was reached from; nearest first.
-struct Reached
-{
-  double Distance;
-  Index Vertex;
-  Index Seed;
-  bool operator<(const Reached& other) const
-  {
-    return Distance != other.Distance ? Distance > other.Distance : Vertex > other.Vertex;
-  }
-};
 
 class RegionFinder
 {
@@ -163,72 +151,37 @@ private:
   Flags Grow()
   {
     Flags region(this->Seeds.size(), 0);
-    std::priority_queue<Reached> front;
-    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
-    {
-      if (this->Seeds[v])
+    SpreadFrom(
+      this->Seeds, this->TheMesh.Points, this->TheConnectivity,
+      [&](Index v, double distance, Index seed)
       {
-        front.push({ 0.0, v, v });
-      }
-    }
-    while (!front.empty())
-    {
-      const Reached at = front.top();
-      front.pop();
-      if (region[at.Vertex])
-      {
-        continue;
-      }
-      region[at.Vertex] = 1;
-      const double blend = this->Blend[at.Seed];
-      this->Blend[at.Vertex] = std::max(this->Blend[at.Vertex], blend);
-      for (Index n : this->TheConnectivity.NeighborsOfVertex[at.Vertex])
-      {
-        const Turn& turn = this->Turns[n];
-        const double distance = (this->TheMesh.Points[n] - this->TheMesh.Points[at.Seed]).norm();
         // Concentrated: the window turns by more than the curvature of the sides would make it.
-        if (!region[n] && turn.Jump >= this->Angles.Grown && turn.Across >= LeastAcross &&
+        const Turn& turn = this->Turns[v];
+        return turn.Jump >= this->Angles.Grown && turn.Across >= LeastAcross &&
           turn.Concentrated >= 0.0 &&
-          distance <= (Reach + ReachBlend * blend) * this->Scales[at.Seed])
-        {
-          front.push({ distance, n, at.Seed });
-        }
-      }
-    }
+          distance <= (Reach + ReachBlend * this->Blend[seed]) * this->Scales[seed];
+      },
+      [&](Index v, Index seed)
+      {
+        region[v] = 1;
+        this->Blend[v] = std::max(this->Blend[v], this->Blend[seed]);
+      });
     return region;
   }
 
   /// The flanks of a blended edge are bent beyond where the turn shows.
   void Dilate(Flags& region)
   {
-    std::priority_queue<Reached> front;
-    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
+    Flags blended(region.size(), 0);
+    for (std::size_t v = 0; v < region.size(); ++v)
     {
-      if (region[v] && this->Blend[v] > 0.0)
-      {
-        front.push({ 0.0, v, v });
-      }
+      blended[v] = region[v] && this->Blend[v] > 0.0 ? 1 : 0;
     }
-    Flags done(region.size(), 0);
-    while (!front.empty())
-    {
-      const Reached at = front.top();
-      front.pop();
-      if (done[at.Vertex])
-      {
-        continue;
-      }
-      done[at.Vertex] = 1;
-      region[at.Vertex] = 1;
-      for (Index n : this->TheConnectivity.NeighborsOfVertex[at.Vertex])
-      {
-        const double distance = (this->TheMesh.Points[n] - this->TheMesh.Points[at.Seed]).norm();
-        if (!done[n] && distance <= Dilation * this->Blend[at.Seed] * this->Scales[at.Seed])
-        {
-          front.push({ distance, n, at.Seed });
-        }
-      }
-    }
+    SpreadFrom(
+      blended, this->TheMesh.Points, this->TheConnectivity,
+      [&](Index, double distance, Index seed)
+      { return distance <= Dilation * this->Blend[seed] * this->Scales[seed]; },
+      [&](Index v, Index) { region[v] = 1; });
   }
 
   /// One or two vertices left over inside the region are part of it.

@@ -91,17 +91,6 @@ public:
   }
 
 private:
-  /// The normals of the triangles around a vertex, by area.
-  Vec3 NormalSum(Index vertex) const
-  {
-    Vec3 sum = Vec3::Zero();
-    for (Index t : this->TheConnectivity.TrianglesOfVertex[vertex])
-    {
-      sum += Corners(this->TheMesh, t).AreaVector();
-    }
-    return sum;
-  }
-
   /// Sets the mean normal. The largest angle of a vertex's normal with it, in degrees.
   double TurnAround(const std::vector<Index>& vertices)
   {
@@ -109,7 +98,7 @@ private:
     this->MeanNormal = Vec3::Zero();
     for (Index v : vertices)
     {
-      this->Normals.push_back(this->NormalSum(v));
+      this->Normals.push_back(AreaVectorAround(this->TheMesh, this->TheConnectivity, v));
       this->MeanNormal += this->Normals.back();
     }
     double largest = 0.0;

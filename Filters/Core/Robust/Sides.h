@@ -7,9 +7,9 @@
 #ifndef arris_Robust_Sides_h
 #define arris_Robust_Sides_h
 
-#include "Patches.h"
 #include "LocalSolid.h"
 #include "NearVertices.h"
+#include "Patches.h"
 #include "Region.h"
 
 namespace arris

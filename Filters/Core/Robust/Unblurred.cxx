@@ -3,8 +3,11 @@
 
 #include "Unblurred.h"
 
+#include "Spread.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace arris
 {
@@ -24,32 +27,15 @@ constexpr double LikeCosine = 0.9;
 std::vector<const LocalSolid*> SolidsNear(const Surroundings& around, const Flags& region,
   const std::vector<Index>& damaged, const Labelling& labelling, double reach)
 {
+  std::vector<Index> sources;
+  std::copy_if(damaged.begin(), damaged.end(), std::back_inserter(sources),
+    [&](Index v) { return labelling.SolidAt(v) != nullptr; });
+  const Walk walk = WalkFrom(sources, reach, around.TheMesh, around.TheConnectivity, around.Scales,
+    [&](Index v) { return region[v] == 0; });
   std::vector<const LocalSolid*> solids(region.size(), nullptr);
-  std::vector<Index> origin(region.size(), NoIndex);
-  std::vector<Index> reached;
-  for (Index v : damaged)
+  for (Index v : walk.Reached)
   {
-    if (const LocalSolid* solid = labelling.SolidAt(v))
-    {
-      solids[v] = solid;
-      origin[v] = v;
-      reached.push_back(v);
-    }
-  }
-  const std::vector<Vec3>& points = around.TheMesh.Points;
-  for (std::size_t next = 0; next < reached.size(); ++next)
-  {
-    const Index v = reached[next];
-    for (Index n : around.TheConnectivity.NeighborsOfVertex[v])
-    {
-      if (origin[n] == NoIndex && !region[n] &&
-        (points[n] - points[origin[v]]).norm() <= reach * around.Scales[n])
-      {
-        origin[n] = origin[v];
-        solids[n] = solids[v];
-        reached.push_back(n);
-      }
-    }
+    solids[v] = labelling.SolidAt(walk.OriginOf[v]);
   }
   return solids;
 }

@@ -4,9 +4,11 @@
 #include "Unexplained.h"
 
 #include "Core/Flagged.h"
+#include "Spread.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace arris
 {
@@ -61,32 +63,11 @@ std::vector<Index> ReleaseUnexplained(const Surroundings& around, const std::vec
 std::vector<Index> DamagedNear(
   const Surroundings& around, const std::vector<Index>& released, const Flags& region)
 {
-  // Each vertex reached remembers where from; the nearest origin is not needed, any will do.
-  std::vector<Index> origin(region.size(), NoIndex);
-  std::vector<Index> front = released;
-  for (Index v : released)
-  {
-    origin[v] = v;
-  }
-  const double reach = SideFinder::Reach(around.Roughness);
+  const Walk walk = WalkFrom(released, SideFinder::Reach(around.Roughness), around.TheMesh,
+    around.TheConnectivity, around.Scales, [](Index) { return true; });
   std::vector<Index> near;
-  for (std::size_t next = 0; next < front.size(); ++next)
-  {
-    const Index v = front[next];
-    for (Index n : around.TheConnectivity.NeighborsOfVertex[v])
-    {
-      const Vec3 way = around.TheMesh.Points[n] - around.TheMesh.Points[origin[v]];
-      if (origin[n] == NoIndex && way.norm() <= reach * around.Scales[n])
-      {
-        origin[n] = origin[v];
-        front.push_back(n);
-        if (region[n])
-        {
-          near.push_back(n);
-        }
-      }
-    }
-  }
+  std::copy_if(walk.Reached.begin(), walk.Reached.end(), std::back_inserter(near),
+    [&](Index v) { return region[v] != 0; });
   return near;
 }
 }

@@ -235,6 +235,19 @@ inline void ExpectEmptyOutputs(vtkPolyDataAlgorithm* filter)
     EXPECT_EQ(output->GetCellData()->GetNumberOfArrays(), 0) << "port " << port;
   }
 }
+
+/// The filter reports one error about something, and gives nothing.
+inline void ExpectOneError(
+  vtkPolyDataAlgorithm* filter, vtkPolyData* input, const std::string& about)
+{
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(filter);
+  filter->SetInputData(input);
+  filter->Update();
+  EXPECT_EQ(errors->Count, 1) << about;
+  EXPECT_NE(errors->Text.find(about), std::string::npos) << errors->Text;
+  ExpectEmptyOutputs(filter);
+}
 }
 }
 

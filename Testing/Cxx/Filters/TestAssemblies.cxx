@@ -263,13 +263,7 @@ void ExpectOneError(vtkPolyData* input, const std::string& about, const char* na
 {
   vtkNew<vtkSharpEdgeReconstruction> filter;
   filter->SetPatchArrayName(name);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(filter);
-  filter->SetInputData(input);
-  filter->Update();
-  EXPECT_EQ(errors->Count, 1) << about;
-  EXPECT_NE(errors->Text.find(about), std::string::npos) << errors->Text;
-  ExpectEmptyOutputs(filter);
+  arris::testing::ExpectOneError(filter, input, about);
 }
 }
 

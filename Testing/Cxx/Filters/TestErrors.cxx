@@ -12,17 +12,6 @@ namespace
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-void ExpectOneError(vtkPolyDataAlgorithm* filter, vtkPolyData* input, const std::string& about)
-{
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(filter);
-  filter->SetInputData(input);
-  filter->Update();
-  EXPECT_EQ(errors->Count, 1) << about;
-  EXPECT_NE(errors->Text.find(about), std::string::npos) << errors->Text;
-  ExpectEmptyOutputs(filter);
-}
-
 void AddCell(vtkCellArray* cells, const std::vector<vtkIdType>& ids)
 {
   cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
