@@ -60,6 +60,7 @@ set(sources
   Filters/Core/Robust/Creases.cxx
   Filters/Core/Robust/Denoised.cxx
   Filters/Core/Robust/Faces.cxx
+  Filters/Core/Robust/FineBends.cxx
   Filters/Core/Robust/GiveBack.cxx
   Filters/Core/Robust/Junctions.cxx
   Filters/Core/Robust/Labels.cxx

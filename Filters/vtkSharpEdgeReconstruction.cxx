@@ -88,7 +88,13 @@ bool vtkSharpEdgeReconstruction::RecoverRobustly(vtkPolyData* input, const arris
   }
   this->SetUsed(arris::FieldValue(output, arris::array::Lambda, 0.0), surface.AverageEdgeLength,
     arris::FieldValue(output, arris::array::SharpAngle, 0.0));
-  if (arris::IsRough(output))
+  if (arris::AreBendsMeant(output))
+  {
+    vtkWarningMacro("the mesh's bends have finer triangles than its faces, as no sampling makes "
+                    "them: they are taken to be meant and left as they are; set SharpAngle to "
+                    "have them sharpened");
+  }
+  else if (arris::IsRough(output))
   {
     vtkWarningMacro(
       "the mesh is rough, as noise and segmentations are: edges were found and fitted "

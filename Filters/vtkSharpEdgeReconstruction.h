@@ -26,10 +26,13 @@
  *   intact face is near, or 4 it belongs too far away; 5 held back, wholly or in part, as a
  * triangle would have folded over or cut another; 6 outside the sharp region, but denoised;
  * - `Roughness` (field): 0 for a mesh that is smooth away from its edges, up to 1 for a rough one;
- * - `Rounding` (field): 0 where sampling has cut the edges off, up to 1 where it has rounded them.
+ * - `Rounding` (field): 0 where sampling has cut the edges off, up to 1 where it has rounded them;
+ * - `BendTriangleSize` (field): of a rough or rounded mesh, the mean area of triangles inside the
+ *   sharp region by that outside it (otherwise 1); below 0.75 its bends are meant, as of a scanned
+ *   casting, and left alone: `BendsAreMeant` (field) is 1, unless a window or an angle is set.
  *
  * A rough mesh (noise, a segmentation) is recognised by itself and worked on in a smoothed copy; a
- * vtkWarningMacro says so.
+ * vtkWarningMacro says so, and another one that bends were left alone because they are meant.
  *
  * Vertices outside the sharp region keep their exact coordinates; points keep their precision;
  * normals that came with the input stay as arrays but not as the active ones, as they no longer

@@ -150,7 +150,9 @@ void ReportAccount(Session& session, vtkPolyData* mesh, const RecoveryOptions& o
   parameters["denoise"] = options.Denoise;
   parameters["picked"] = HasPicks(options);
   session.Report["recognised"] = { { "roughness", FieldNumber(mesh, array::Roughness) },
-    { "rounding", FieldNumber(mesh, array::Rounding) } };
+    { "rounding", FieldNumber(mesh, array::Rounding) },
+    { "bend_triangle_size", FieldNumber(mesh, array::BendTriangleSize) },
+    { "bends_are_meant", FieldNumber(mesh, array::BendsAreMeant) > 0.0 } };
   Json& outcomes = session.Report["outcomes"];
   for (const auto& [outcome, name] :
     { std::pair{ Outcome::Moved, "moved" }, std::pair{ Outcome::Right, "right_already" },

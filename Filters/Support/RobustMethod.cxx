@@ -30,6 +30,8 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
   AddFieldValue(output, array::SharpAngle, result.SharpAngle);
   AddFieldValue(output, array::Roughness, result.Rough.Degree);
   AddFieldValue(output, array::Rounding, result.Rounding);
+  AddFieldValue(output, array::BendTriangleSize, result.BendTriangleSize);
+  AddFieldValue(output, array::BendsAreMeant, result.BendsAreMeant ? 1.0 : 0.0);
   AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);
   AddFieldValue(output, array::ClassificationSeconds, result.ClassificationSeconds);
   AddFieldValue(output, array::ThinningSeconds, result.ThinningSeconds);
@@ -44,5 +46,10 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
 bool IsRough(vtkPolyData* recovered)
 {
   return FieldValue(recovered, array::Roughness, 0.0) > 0.0;
+}
+
+bool AreBendsMeant(vtkPolyData* recovered)
+{
+  return FieldValue(recovered, array::BendsAreMeant, 0.0) > 0.0;
 }
 }

@@ -21,6 +21,9 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
 
 /// Whether the method found the mesh rough and worked on a smoothed copy.
 bool IsRough(vtkPolyData* recovered);
+
+/// Whether the method found the mesh's bends meant and left them as they are.
+bool AreBendsMeant(vtkPolyData* recovered);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
 #include "Denoised.h"
+#include "FineBends.h"
 #include "GiveBack.h"
 #include "Junctions.h"
 #include "MeetingEdges.h"
@@ -144,6 +145,7 @@ private:
     {
       return false;
     }
+    this->SpareMeantBends();
     this->Result.ClassificationSeconds += classification.Seconds();
 
     const StopWatch thinning;
@@ -209,6 +211,23 @@ private:
       this->TellTurns(scales);
     }
     return true;
+  }
+
+  /// Of a mesh that seems blurred or rough, leaves bends alone that are meant; unless the user has
+  /// said what an edge is.
+  void SpareMeantBends()
+  {
+    if (!this->IsMovedAllOver() || this->Together)
+    {
+      return;
+    }
+    this->Result.BendTriangleSize = BendTriangleSize(this->Work, this->Region);
+    const bool isSet = this->Parameters.WindowRadius > 0.0 || this->Parameters.SharpAngle > 0.0;
+    if (!isSet && this->Result.BendTriangleSize < MeantBendSize)
+    {
+      this->Region.assign(this->Region.size(), 0);
+      this->Result.BendsAreMeant = true;
+    }
   }
 
   /// What an earlier pass has found damaged stays so, even where a shallow edge shows less now: a

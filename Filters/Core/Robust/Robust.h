@@ -9,7 +9,7 @@
 ///  1. Turn: at each vertex, the turn that is left once both sides are extrapolated to it.
 ///  2. Region: where that turn is concentrated, an edge was sampled away; where edges meet, the
 ///  turn
-///     is taken without the other edge.
+///     is taken without the other edge. FineBends: bends that are meant are left alone.
 ///  3. ThinFaces, Patches: the intact vertices around, sorted into faces.
 ///  4. Sheet, Sides: each face carried on to each damaged vertex, as a plane or a torus.
 ///  5. Unexplained: vertices far from all of these are a narrow face's own.
@@ -43,6 +43,8 @@ struct RobustResult
 {
   Roughness Rough;
   double Rounding = 0.0; ///< 0: edges were cut off, 1: they were rounded as well
+  double BendTriangleSize = 1.0; ///< see FineBends.h; 1 where edges are neither rough nor rounded
+  bool BendsAreMeant = false; ///< and so left alone
   double SharpAngle = 0.0; ///< degrees; as set, or as chosen
   std::vector<double> WindowRadii; ///< λ of each vertex: follows the local edge length
   std::vector<double> NormalDifferences; ///< λτ of each vertex in that window
