@@ -55,7 +55,7 @@ def assembly(function):
 def cube_in_cube():
     """A cube let into another, one face flush with it."""
     outer, inner = box(36, 34, 32), box(16, 16, 14).translate((2, -3, 9))
-    return _of_materials(outer, [outer - inner, inner])
+    return of_materials(outer, [outer - inner, inner])
 
 
 @assembly
@@ -67,7 +67,7 @@ def two_cubes_and_sphere():
     one = box(26, 26, 26).translate((-5, -4, -3))
     two = box(24, 24, 24).rotate((24, 31, 40)).translate((8, 7, 5))
     ball = sphere(13).translate((5, -12, 8))
-    return _of_materials(one + two + ball, [one, two - one, ball - one - two])
+    return of_materials(one + two + ball, [one, two - one, ball - one - two])
 
 
 @assembly
@@ -79,9 +79,9 @@ def four_materials():
     for own in range(len(seeds)):
         part = block
         for other in set(range(len(seeds))) - {own}:
-            part ^= _half_space(seeds[own] - seeds[other], far)
+            part ^= half_space(seeds[own] - seeds[other], far)
         parts.append(part)
-    return _of_materials(block, parts)
+    return of_materials(block, parts)
 
 
 @assembly
@@ -90,7 +90,7 @@ def layered_plates():
     bolt = cylinder(6, 18)
     plates = [box(38, 30, height).translate((0, 0, low + height / 2)) - bolt
               for low, height in ((-9, 4), (-5, 6), (1, 8))]
-    return _of_materials(box(38, 30, 18), [*plates, bolt])
+    return of_materials(box(38, 30, 18), [*plates, bolt])
 
 
 @assembly
@@ -116,7 +116,7 @@ def _turned(solid):
     return solid.rotate((22, 37, 48)).translate((0.3, -0.2, 0.1))
 
 
-def _half_space(normal, far):
+def half_space(normal, far):
     """A large box on the side of the plane through the origin that `normal` points to."""
     normal = normal / np.linalg.norm(normal)
     u = np.cross(normal, (0.3, 0.5, 0.8))
@@ -142,7 +142,7 @@ def _stacked(truths, which):
     return np.vstack([t.mesh.points for t in truths]), segments
 
 
-def _of_materials(everything, solids):
+def of_materials(everything, solids):
     """Solids that fill parts of another; what is outside that is one more material."""
     truths = [Truth(_turned(solid)) for solid in [everything, *solids]]
     points, sharp = _welded(*_stacked(truths, "segments"))

@@ -17,8 +17,10 @@ import methods
 from assemblies import ASSEMBLIES
 from assembly_score import score
 from bed import ROOT
+from heldout_assemblies import HELD_OUT
 from meshes import Mesh, read_mesh, to_polydata, write_polydata
 
+EVERY = {**ASSEMBLIES, **HELD_OUT}
 COLUMNS = {
     "recall": "recall %", "precision": "precision %", "false_length": "false, cells",
     "junction_recall": "junctions: recall %", "junction_precision": "precision %",
@@ -31,7 +33,8 @@ def main():
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--assemblies", nargs="+", default=list(ASSEMBLIES), metavar="NAME",
-                        choices=list(ASSEMBLIES), help=f"of {', '.join(ASSEMBLIES)}")
+                        choices=list(EVERY), help=f"of {', '.join(ASSEMBLIES)} (the default), and, "
+                        f"held out, {', '.join(HELD_OUT)}")
     parser.add_argument("--samplings", default="contour64",
                         help="with commas between: contour or nets (of assemblies of materials), "
                         "followed by the cells a side of the cube from -32 to 32 "
@@ -45,7 +48,7 @@ def main():
     options = parser.parse_args()
     rows = []
     for name in options.assemblies:
-        truth = ASSEMBLIES[name]()
+        truth = EVERY[name]()
         for sampling in options.samplings.split(","):
             rows += measured(name, truth, sampling, options)
     print("| | " + " | ".join(COLUMNS.values()) + " |\n" + "|---" * (len(COLUMNS) + 1) + "|")
