@@ -143,9 +143,14 @@ std::string vtkAssemblyAlgorithm::ReadAssembly(
   vtkPolyData* input, vtkPolyData* output, arris::Surface& surface)
 {
   const std::string problem =
-    arris::FirstProblem({ arris::ProblemWithSize("MergeTolerance", this->MergeTolerance),
-                          arris::ReadSurface(input, output, surface) },
-      [&] { return arris::AssembleSurface(output, this->AssemblyParametersFor(input), surface); });
+    arris::FirstProblem({ arris::ProblemWithSize("MergeTolerance", this->MergeTolerance) },
+      [&]
+      {
+        const std::string unread = arris::ReadSurface(input, output, surface);
+        return unread.empty()
+          ? arris::AssembleSurface(output, this->AssemblyParametersFor(input), surface)
+          : unread;
+      });
   if (!problem.empty())
   {
     output->Initialize();

@@ -14,7 +14,7 @@ namespace arris
 {
 namespace
 {
-/// Calls visit(triangle, edge of it) for each triangle around edge k of `first`, that one first.
+/// Calls visit(triangle) for each triangle around edge k of `first`, that one first.
 template <typename Visit>
 void ForEachAround(
   const Mesh& mesh, const Connectivity& connectivity, Index first, int k, Visit&& visit)
@@ -31,7 +31,7 @@ void ForEachAround(
     {
       ++edge;
     }
-    visit(t, edge);
+    visit(t);
     t = connectivity.AcrossEdge[t][edge];
   } while (t != NoIndex && t != first);
 }
@@ -82,30 +82,10 @@ bool IsClosedAndOriented(const Mesh& mesh, const Connectivity& connectivity)
   return all;
 }
 
-/// Counts the edges that do not have two triangles.
-void CountEdges(const Mesh& mesh, const Connectivity& connectivity, AssemblyFacts& facts)
-{
-  for (Index t = 0; t < mesh.TriangleCount(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      int count = 0;
-      bool isFirst = true;
-      ForEachAround(mesh, connectivity, t, k,
-        [&](Index other, int)
-        {
-          ++count;
-          isFirst = isFirst && other >= t;
-        });
-      facts.OpenEdges += count == 1 ? 1 : 0;
-      facts.JunctionEdges += count > 2 && isFirst ? 1 : 0;
-    }
-  }
-}
-
-/// Across each edge of each triangle the one that continues its patch.
-std::vector<std::array<Index, 3>> Continuations(
-  const Mesh& mesh, const Connectivity& connectivity, const std::vector<Index>& ids)
+/// Finds across each edge of each triangle the one that continues its patch, and counts the edges
+/// that do not have two triangles.
+std::vector<std::array<Index, 3>> Continuations(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<Index>& ids, AssemblyFacts& facts)
 {
   const auto idOf = [&](Index t) { return ids.empty() ? 0 : ids[t]; };
   std::vector<std::array<Index, 3>> continuations(mesh.Triangles.size());
@@ -114,17 +94,22 @@ std::vector<std::array<Index, 3>> Continuations(
     for (int k = 0; k < 3; ++k)
     {
       Index beyond = NoIndex;
-      int count = 0;
+      int ofPatch = 0, all = 0;
+      bool isFirst = true;
       ForEachAround(mesh, connectivity, t, k,
-        [&](Index other, int)
+        [&](Index other)
         {
+          ++all;
+          isFirst = isFirst && other >= t;
           if (other != t && idOf(other) == idOf(t))
           {
             beyond = other;
-            ++count;
+            ++ofPatch;
           }
         });
-      continuations[t][k] = count == 1 ? beyond : NoIndex;
+      continuations[t][k] = ofPatch == 1 ? beyond : NoIndex;
+      facts.OpenEdges += all == 1 ? 1 : 0;
+      facts.JunctionEdges += all > 2 && isFirst ? 1 : 0;
     }
   }
   return continuations;
@@ -210,9 +195,8 @@ Assembly MakeAssembly(
   assembly.Facts.LeftOutTriangles = static_cast<Index>(before - mesh.Triangles.size());
   const Connectivity uncut(mesh);
   connectivity = uncut;
-  connectivity.AcrossEdge = Continuations(mesh, uncut, ids);
+  connectivity.AcrossEdge = Continuations(mesh, uncut, ids, assembly.Facts);
   assembly.Facts.Patches = NumberPatches(connectivity, connectivity.PatchOf);
-  CountEdges(mesh, uncut, assembly.Facts);
   assembly.Facts.Orientation =
     OrientPatches(mesh, connectivity.PatchOf, assembly.Facts.Patches, uncut, connectivity);
   MarkVertices(mesh, uncut, connectivity);
