@@ -59,6 +59,7 @@ set(sources
   Filters/Core/Robust/Apexes.cxx
   Filters/Core/Robust/Creases.cxx
   Filters/Core/Robust/Denoised.cxx
+  Filters/Core/Robust/Ears.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/FineBends.cxx
   Filters/Core/Robust/GiveBack.cxx

@@ -202,6 +202,21 @@ Vec3 Placement::Held(Index vertex, const Vec3& target) const
   return this->IsWithinReach(vertex, point) ? point : this->Points[vertex];
 }
 
+const Sheet* Placement::SheetOf(Index triangle) const
+{
+  for (Index v : this->TheMesh.Triangles[triangle])
+  {
+    const Sheet* sheet = this->IsDamaged(v)
+      ? this->TheLabelling.SheetAt(this->TheConnectivity, v, this->FaceLabels[triangle])
+      : nullptr;
+    if (sheet != nullptr)
+    {
+      return sheet;
+    }
+  }
+  return nullptr;
+}
+
 double Placement::Quality(Index t) const
 {
   const Triangle& c = this->TheMesh.Triangles[t];
@@ -212,14 +227,7 @@ double Placement::Quality(Index t) const
   {
     return 0.0;
   }
-  const Sheet* sheet = nullptr;
-  for (int k = 0; k < 3 && sheet == nullptr; ++k)
-  {
-    if (this->IsDamaged(c[k]))
-    {
-      sheet = this->TheLabelling.SheetAt(this->TheConnectivity, c[k], this->FaceLabels[t]);
-    }
-  }
+  const Sheet* sheet = this->SheetOf(t);
   const Vec3 expected = sheet ? sheet->Normal(corners.Centroid())
                               : Vec3(Corners(this->TheMesh, t).AreaVector().normalized());
   constexpr double Equilateral = 3.4641016151377544; // 2 sqrt(3)

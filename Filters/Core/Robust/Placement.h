@@ -45,6 +45,9 @@ public:
   const Vec3& PointOf(Index vertex) const { return this->Points[vertex]; }
   void SetPoint(Index vertex, const Vec3& point) { this->Points[vertex] = point; }
 
+  /// The face that a triangle is part of, as its first damaged corner sees it; null if unknown.
+  const Sheet* SheetOf(Index triangle) const;
+
   Index LabelOf(Index triangle) const { return this->FaceLabels[triangle]; }
   void SetLabel(Index triangle, Index label) { this->FaceLabels[triangle] = label; }
 

@@ -8,6 +8,7 @@
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
 #include "Denoised.h"
+#include "Ears.h"
 #include "FineBends.h"
 #include "GiveBack.h"
 #include "Junctions.h"
@@ -341,6 +342,7 @@ private:
     }
     GiveBackTheMoreCreased(
       mesh.Now, mesh.TheConnectivity, mesh.Region, mesh.Before.Points, placement);
+    LiftEars(mesh.Now, mesh.TheConnectivity, mesh.Scales, placement);
     const std::vector<Vec3> wanted = placement.AllPoints();
     Retreat(this->IsRough() ? mesh.Before : mesh.Now, mesh.TheConnectivity, placement);
     for (std::size_t v = 0; v < mesh.Region.size(); ++v)
