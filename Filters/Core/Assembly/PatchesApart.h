@@ -28,6 +28,14 @@ struct PatchesApart
   Flags Common;
 };
 
+/// An assembly whose patches are worked on apart.
+struct Whole
+{
+  const Mesh& TheMesh;
+  const Connectivity& TheConnectivity;
+  const PatchesApart& Apart;
+};
+
 /// Takes an assembly (see MakeAssembly) apart.
 ARRISFILTERS_EXPORT PatchesApart TakeApart(const Mesh& whole, const Connectivity& connectivity);
 }

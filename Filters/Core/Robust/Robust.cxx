@@ -39,14 +39,6 @@ constexpr int RecoveryPasses = 2;
 /// As far as a turn looks, in edges.
 constexpr int TurnReach = 6;
 
-/// An assembly whose patches are worked on apart.
-struct Whole
-{
-  const Mesh& TheMesh;
-  const Connectivity& TheConnectivity;
-  const PatchesApart& Apart;
-};
-
 /// The steps of the method, in order, on one mesh: on one 2-manifold, or on the patches of an
 /// assembly with vertices of their own. Their common vertices are brought together to be placed.
 class Recovery
@@ -151,7 +143,8 @@ private:
 
     const StopWatch thinning;
     const Surroundings around{ this->Work, this->TheConnectivity, faces, this->Scales,
-      this->Result.NormalDifferences, this->Result.Rounding, this->Result.Rough.Degree };
+      this->Result.NormalDifferences, this->Result.Rounding, this->Result.Rough.Degree,
+      this->Together };
     Labelling labelling;
     if (!LabelVertices(around, monitor.Part(Measured, Fitted), this->Region, labelling))
     {

@@ -39,6 +39,26 @@ constexpr double RoughRidge = 1e-3;
 
 /// Samples of other patches are used where their normals differ by less than this, in degrees.
 constexpr double LikeNormal = 25.0;
+
+/// A face of another patch is the continuation of one if a single sheet leaves no more than this of
+/// either (rms, in scales), or this many times what it left of the one: then it is nowhere farther
+/// off than that.
+constexpr double OneFace = 0.005;
+constexpr double OneFaceGrowth = 1.5;
+
+/// The root mean square distance of some samples from a sheet.
+double MisfitOf(
+  const Sheet& sheet, const std::vector<SheetSample>& samples, std::size_t first, std::size_t last)
+{
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    const double distance = sheet.Distance(samples[i].Position);
+    sum += samples[i].Weight * distance * distance;
+    weights += samples[i].Weight;
+  }
+  return weights > 0.0 ? std::sqrt(sum / weights) : 0.0;
+}
 }
 
 double SideFinder::Reach(double roughness)
@@ -101,36 +121,90 @@ LocalSolid SideFinder::Find(IndexSpan vertices, const std::vector<std::vector<Si
 
 void SideFinder::GatherStatic(Index vertex, double radius)
 {
-  const std::vector<Vec3>& points = this->From.Points;
   const Vec3& x = this->Around.TheMesh.Points[vertex];
   this->Static.clear();
-  for (Index v : this->Near.Gather(points, this->Around.TheConnectivity, vertex, x, radius))
+  for (Index v :
+    this->Near.Gather(this->From.Points, this->Around.TheConnectivity, vertex, x, radius))
   {
     if (!this->From.Region[v])
     {
-      this->Static.push_back({ (points[v] - x).norm(), v });
+      this->Static.push_back({ (this->From.Points[v] - x).norm(), v });
     }
   }
-  std::sort(this->Static.begin(), this->Static.end(),
-    [](const NearVertex& a, const NearVertex& b)
-    { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Vertex < b.Vertex; });
+  std::sort(this->Static.begin(), this->Static.end());
+  this->GatherBeyond(vertex, radius);
+}
+
+void SideFinder::GatherBeyond(Index vertex, double radius)
+{
+  this->Beyond.clear();
+  if (this->Around.Together == nullptr)
+  {
+    return;
+  }
+  const Connectivity& whole = this->Around.Together->TheConnectivity;
+  const auto patchAt = [&](const Connectivity& connectivity, Index v)
+  { return whole.PatchOf[connectivity.TrianglesOfVertex[v][0]]; };
+  const Index own = patchAt(this->Around.TheConnectivity, vertex);
+  const Vec3& x = this->Around.TheMesh.Points[vertex];
+  std::vector<NearVertex> others;
+  // What is intact is no common vertex, and has the same number in the whole.
+  for (Index v : this->Near.Gather(
+         this->From.Points, whole, this->Around.Together->Apart.WholeOf[vertex], x, radius))
+  {
+    if (!this->From.Region[v] && patchAt(whole, v) != own)
+    {
+      others.push_back({ (this->From.Points[v] - x).norm(), v });
+    }
+  }
+  std::sort(others.begin(), others.end());
+  std::vector<Index> pieces;
+  for (const NearVertex& near : others)
+  {
+    const Index piece = this->From.ThePatches.PieceOf[near.Vertex];
+    const auto known = std::find(pieces.begin(), pieces.end(), piece);
+    const std::size_t place = static_cast<std::size_t>(known - pieces.begin());
+    if (known == pieces.end())
+    {
+      pieces.push_back(piece);
+      this->Beyond.emplace_back();
+    }
+    this->Beyond[place].push_back(near);
+  }
+}
+
+SideFinder::FitWindow SideFinder::WindowFrom(double nearest, double scale) const
+{
+  const double roughness = this->Around.Roughness;
+  const double distance = std::max(nearest, UnblurredDistance * this->From.BlurWidth * scale);
+  return { distance + Mixed(SampleDepth, RoughSampleDepth, roughness) * scale,
+    distance + Mixed(WeightDepth, RoughWeightDepth, roughness) * scale };
+}
+
+SheetSample SideFinder::SampleAt(const NearVertex& near, double width) const
+{
+  const IndexSpan neighbors = this->Around.TheConnectivity.NeighborsOfVertex[near.Vertex];
+  const bool border = std::any_of(
+    neighbors.begin(), neighbors.end(), [this](Index n) { return this->From.Region[n] != 0; });
+  const double borderWeight = Mixed(BorderWeight, BlendedBorderWeight, this->Around.Rounding);
+  const double d = near.Distance / width;
+  const double weight = std::exp(-2.0 * d * d - this->From.Flatness[near.Vertex] / FlatnessScale) *
+    (border ? borderWeight : 1.0);
+  return { this->From.Points[near.Vertex], this->From.Normals[near.Vertex], weight };
 }
 
 void SideFinder::Fit(Index vertex, Side& side)
 {
   const double scale = this->Around.Scales[vertex];
   const double roughness = this->Around.Roughness;
-  const double distance = std::max(side.Distance, UnblurredDistance * this->From.BlurWidth * scale);
-  const double radius = distance + Mixed(SampleDepth, RoughSampleDepth, roughness) * scale;
-  const double width = distance + Mixed(WeightDepth, RoughWeightDepth, roughness) * scale;
+  const FitWindow window = this->WindowFrom(side.Distance, scale);
   const double likeCosine = std::cos(LikeNormal * Pi / 180.0);
-  const double borderWeight = Mixed(BorderWeight, BlendedBorderWeight, this->Around.Rounding);
   Vec3 normal = Vec3::Zero();
   Index piece = NoIndex;
   this->Fitted.clear();
   for (const NearVertex& near : this->Static)
   {
-    if (near.Distance > radius)
+    if (near.Distance > window.Radius)
     {
       break;
     }
@@ -143,19 +217,10 @@ void SideFinder::Fit(Index vertex, Side& side)
     }
     const bool alike = piece != NoIndex && this->From.ThePatches.PieceOf[v] == piece &&
       this->From.Normals[v].dot(normal) >= likeCosine;
-    if (!own && !alike)
+    if (own || alike)
     {
-      continue;
+      this->Fitted.push_back(this->SampleAt(near, window.Width));
     }
-    bool border = false;
-    for (Index n : this->Around.TheConnectivity.NeighborsOfVertex[v])
-    {
-      border = border || this->From.Region[n];
-    }
-    const double d = near.Distance / width;
-    const double weight = std::exp(-2.0 * d * d - this->From.Flatness[v] / FlatnessScale) *
-      (border ? borderWeight : 1.0);
-    this->Fitted.push_back({ this->From.Points[v], this->From.Normals[v], weight });
   }
   SheetCaution caution;
   caution.CurvedGain =
@@ -163,6 +228,49 @@ void SideFinder::Fit(Index vertex, Side& side)
   caution.FlatResidual = Mixed(caution.FlatResidual, RoughFlatResidual, roughness);
   caution.Ridge = Mixed(caution.Ridge, RoughRidge, roughness);
   side.Surface = Sheet(this->Fitted, scale, caution);
+  this->FitBeyond(scale, caution, side.Surface);
   side.Surface.Unblur(this->From.BlurWidth * scale);
+}
+
+void SideFinder::FitBeyond(double scale, const SheetCaution& caution, Sheet& own) const
+{
+  std::vector<SheetSample> samples = this->Fitted;
+  const double most =
+    std::max(OneFace * scale, OneFaceGrowth * MisfitOf(own, samples, 0, samples.size()));
+  const double likeCosine = std::cos(LikeNormal * Pi / 180.0);
+  for (const std::vector<NearVertex>& piece : this->Beyond)
+  {
+    // From its nearest on, however far that is: what goes on over a narrow patch is worth most.
+    const FitWindow window = this->WindowFrom(piece.front().Distance, scale);
+    const std::size_t before = samples.size();
+    for (const NearVertex& near : piece)
+    {
+      if (near.Distance > window.Radius)
+      {
+        break;
+      }
+      SheetSample sample = this->SampleAt(near, window.Width);
+      const double cosine = sample.Normal.dot(own.Normal(sample.Position));
+      if (std::abs(cosine) >= likeCosine) // patches may look either way
+      {
+        sample.Normal = cosine < 0.0 ? Vec3(-sample.Normal) : sample.Normal;
+        samples.push_back(sample);
+      }
+    }
+    if (samples.size() == before)
+    {
+      continue;
+    }
+    const Sheet both(samples, scale, caution);
+    if (MisfitOf(both, samples, 0, before) <= most &&
+      MisfitOf(both, samples, before, samples.size()) <= most)
+    {
+      own = both;
+    }
+    else
+    {
+      samples.resize(before);
+    }
+  }
 }
 }

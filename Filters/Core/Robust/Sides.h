@@ -7,6 +7,7 @@
 #ifndef arris_Robust_Sides_h
 #define arris_Robust_Sides_h
 
+#include "Core/Assembly/PatchesApart.h"
 #include "LocalSolid.h"
 #include "NearVertices.h"
 #include "Patches.h"
@@ -24,6 +25,7 @@ struct Surroundings
   const std::vector<double>& Flatness; ///< λτ of each vertex
   double Rounding; ///< how far the sampling has rounded edges, 0 to 1
   double Roughness; ///< how rough the input was, 0 to 1
+  const Whole* Together; ///< the assembly that this is the patches of; null for one 2-manifold
 
   /// Whether a blur has rounded all edges; what is rough is round as well, but by no blur that a
   /// width describes.
@@ -76,16 +78,35 @@ private:
   {
     double Distance;
     Index Vertex;
+    bool operator<(const NearVertex& other) const
+    {
+      return this->Distance != other.Distance ? this->Distance < other.Distance
+                                              : this->Vertex < other.Vertex;
+    }
   };
+  /// How far away samples are taken, and how fast they count for less.
+  struct FitWindow
+  {
+    double Radius;
+    double Width;
+  };
+
   /// Fits the sides around a vertex and tells how they meet.
   std::vector<Side> FitAround(Index vertex, LocalSolid& solid);
   void GatherStatic(Index vertex, double radius);
+  void GatherBeyond(Index vertex, double radius);
   void Fit(Index vertex, Side& side);
+  FitWindow WindowFrom(double nearest, double scale) const;
+  SheetSample SampleAt(const NearVertex& near, double width) const;
+
+  /// Fits a side to its continuations in other patches as well.
+  void FitBeyond(double scale, const SheetCaution& caution, Sheet& own) const;
 
   const Surroundings& Around;
   const Samples& From;
   NearVertices Near;
   std::vector<NearVertex> Static; ///< the intact ones, nearest first
+  std::vector<std::vector<NearVertex>> Beyond; ///< those of an assembly's other patches, by piece
   std::vector<SheetSample> Fitted;
 };
 }

@@ -192,6 +192,39 @@ TEST(Assemblies, JunctionsBecomeStraight)
   EXPECT_LT(farthest(Recovered(mesh, vtkSharpEdgeReconstruction::ROBUST)), 0.05 * cell);
 }
 
+TEST(Assemblies, RoundWallsGoOnInTheNextPatch)
+{
+  // A rod of two materials, one of them a disc of little more than three cells: too little to tell
+  // its radius and direction by, but its wall is that of the rest. Nets round edges over two cells,
+  // and no plane or cylinder is met exactly.
+  constexpr double Radius = 5.0, Between = -1.5;
+  constexpr int Cells = 27; // no edge of this net has four faces between the same materials
+  const Eigen::Matrix3d turn = TwoSlabs().Turn;
+  const auto inRod = [&](const Point& p, double low, double high)
+  {
+    const Point local = turn.transpose() * p;
+    return std::min({ Radius - local.head<2>().norm(), local.z() - low, high - local.z() });
+  };
+  const auto mesh = SurfaceNet({ [&](const Point& p) { return -inRod(p, -4.0, 5.0); },
+                                 [&](const Point& p) { return inRod(p, -4.0, Between); },
+                                 [&](const Point& p) { return inRod(p, Between, 5.0); } },
+    Cells)
+                      .Make();
+  const auto farthest = [&](vtkPolyData* of)
+  {
+    double most = 0.0;
+    for (const vtkIdType v : JunctionVertices(of))
+    {
+      const Point p = turn.transpose() * Point(of->GetPoint(v));
+      most = std::max(most, std::hypot(p.z() - Between, p.head<2>().norm() - Radius));
+    }
+    return most;
+  };
+  const double cell = 20.0 / Cells;
+  EXPECT_GT(farthest(mesh), 0.4 * cell);
+  EXPECT_LT(farthest(Recovered(mesh, vtkSharpEdgeReconstruction::ROBUST)), 0.3 * cell);
+}
+
 TEST(Assemblies, CellsAreGivenBackAsTheyCame)
 {
   const auto mesh = Slabs();
