@@ -40,8 +40,8 @@ std::vector<Index> ReleaseUnexplained(const Surroundings& around, const std::vec
   for (Index v : damaged)
   {
     // Where patches of an assembly meet, sampling takes vertices off by more, and they are no face.
-    const bool isFace = !around.TheConnectivity.OnBoundary[v] && !IsExplained(around, labelling, v);
-    unexplained[v] = isFace ? 1 : 0;
+    const bool common = around.Together != nullptr && around.Together->Apart.Common[v];
+    unexplained[v] = !common && !IsExplained(around, labelling, v) ? 1 : 0;
   }
   std::vector<Index> released;
   ForEachGroup(around.TheConnectivity, unexplained, 1,

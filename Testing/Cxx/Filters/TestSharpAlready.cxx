@@ -12,6 +12,9 @@
 #include <vtkPlatonicSolidSource.h>
 #include <vtkTriangleFilter.h>
 
+#include <array>
+#include <vector>
+
 using namespace arris::testing;
 
 namespace
@@ -28,6 +31,38 @@ vtkSmartPointer<vtkPolyData> Tessellated(vtkPolyDataAlgorithm* source, int subdi
   fine->SetNumberOfSubdivisions(subdivisions);
   fine->Update();
   return fine->GetOutput();
+}
+
+/// The thread of a screw as CAD tessellates it, open at both ends: long facets between helices. The
+/// profile has a radius and a height for each; a turn rises by one.
+vtkSmartPointer<vtkPolyData> Thread(const std::vector<std::array<double, 2>>& profile, int steps)
+{
+  constexpr int Turns = 8;
+  const auto across = static_cast<vtkIdType>(profile.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType step = 0; step <= Turns * steps; ++step)
+  {
+    const double turn = static_cast<double>(step) / steps;
+    const double angle = 2.0 * vtkMath::Pi() * turn;
+    for (vtkIdType k = 0; k < across; ++k)
+    {
+      const vtkIdType next = points->InsertNextPoint(
+        profile[k][0] * std::cos(angle), profile[k][0] * std::sin(angle), profile[k][1] + turn);
+      if (step > 0 && k > 0)
+      {
+        const vtkIdType lower[3] = { next - across - 1, next - 1, next - across };
+        const vtkIdType upper[3] = { next - 1, next, next - across };
+        triangles->InsertNextCell(3, lower);
+        triangles->InsertNextCell(3, upper);
+      }
+    }
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(triangles);
+  return mesh;
 }
 
 void ExpectUnmoved(vtkPolyData* mesh)
@@ -69,4 +104,23 @@ TEST(SharpAlready, CoarseCylinderComesBackAsItIs)
   const auto mesh = Tessellated(cylinder, 0);
   const auto after = Execute(recovery, mesh);
   EXPECT_TRUE(SameBytes(after->GetPoints()->GetData(), mesh->GetPoints()->GetData()));
+}
+
+TEST(SharpAlready, OpenThreadsComeBackAsTheyAre)
+{
+  // Away from each other, so that their free boundaries are not sewn to each other.
+  const std::vector<std::array<double, 2>> pointed{ { 4.0, -0.4 }, { 5.0, 0.0 }, { 4.0, 0.4 } };
+  const std::vector<std::array<double, 2>> blunt{ { 4.0, -0.4 }, { 5.0, -0.2 }, { 5.0, 0.2 },
+    { 4.0, 0.4 } };
+  for (const auto& profile : { pointed, blunt })
+  {
+    for (const int steps : { 12, 16, 20, 24 })
+    {
+      vtkNew<vtkSharpEdgeReconstruction> recovery;
+      const auto mesh = Thread(profile, steps);
+      const auto after = Execute(recovery, mesh);
+      EXPECT_TRUE(SameBytes(after->GetPoints()->GetData(), mesh->GetPoints()->GetData()))
+        << steps << " steps a turn";
+    }
+  }
 }
