@@ -53,6 +53,7 @@ set(sources
   Filters/Core/Features/Tips.cxx
   Filters/Core/Fits/FaceFit.cxx
   Filters/Core/Fits/FirstGuess.cxx
+  Filters/Core/Fits/LeastSquares.cxx
   Filters/Core/Fits/Primitive.cxx
   Filters/Core/Fits/Refine.cxx
   Filters/Core/Robust/Account.cxx
@@ -120,3 +121,11 @@ vtk_module_compile_options(Arris::Filters
   PRIVATE
     -ffp-contract=off
     ${ARRIS_COMPILE_OPTIONS})
+
+# With the headers of Eigen and VTK read once for all, the library compiles in two thirds of the time.
+# scripts/lint compiles without, so that each source still includes what it uses.
+get_target_property(filters Arris::Filters ALIASED_TARGET)
+target_precompile_headers(${filters} PRIVATE
+  <algorithm> <cmath> <functional> <limits> <map> <memory> <numeric> <queue> <set> <string> <vector>
+  <Eigen/Dense>
+  <vtkCellArray.h> <vtkPointData.h> <vtkPolyData.h> <vtkPolyDataAlgorithm.h> <vtkSMPTools.h>)

@@ -158,15 +158,16 @@ public:
         Vec3(list->GetComponent(i, 0), list->GetComponent(i, 1), list->GetComponent(i, 2));
       center += corners[i] / 8.0;
     }
-    constexpr int Faces[6][3] = { { 0, 1, 2 }, { 4, 5, 6 }, { 0, 1, 4 }, { 2, 3, 6 }, { 0, 2, 4 },
-      { 1, 3, 5 } };
+    constexpr int Faces[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
+      { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
     for (int i = 0; i < 6; ++i)
     {
-      this->Sides[i] = Eigen::Hyperplane<double, 3>::Through(
-        corners[Faces[i][0]], corners[Faces[i][1]], corners[Faces[i][2]]);
-      if (this->Sides[i].signedDistance(center) < 0.0)
+      const auto corner = [&](int k) { return corners[Faces[i][k]]; };
+      // By the diagonals, which a side that ends in one point still has.
+      this->Sides[i] = { corner(0), (corner(2) - corner(0)).cross(corner(3) - corner(1)) };
+      if (this->Sides[i].Height(center) < 0.0)
       {
-        this->Sides[i].coeffs() *= -1.0; // so that inside is where all distances are positive
+        this->Sides[i].Normal *= -1.0; // so that inside is where all heights are positive
       }
     }
   }
@@ -174,11 +175,19 @@ public:
   bool Holds(const Vec3& point) const
   {
     return std::all_of(this->Sides.begin(), this->Sides.end(),
-      [&](const auto& side) { return side.signedDistance(point) >= 0.0; });
+      [&](const Plane& side) { return side.Height(point) >= 0.0; });
   }
 
 private:
-  std::array<Eigen::Hyperplane<double, 3>, 6> Sides;
+  struct Plane
+  {
+    Vec3 Point = Vec3::Zero();
+    Vec3 Normal = Vec3::Zero(); ///< of any length
+
+    double Height(const Vec3& point) const { return this->Normal.dot(point - this->Point); }
+  };
+
+  std::array<Plane, 6> Sides;
 };
 
 std::string MarkFrustum(const Node& node, vtkDataArray* list)

@@ -3,7 +3,10 @@
 
 #include "FirstGuess.h"
 
-#include <Eigen/Dense>
+#include "LeastSquares.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -49,7 +52,7 @@ public:
     this->Matrix += weight * row * row.transpose();
     this->Right += weight * value * row;
   }
-  Row Solve() const { return this->Matrix.completeOrthogonalDecomposition().solve(this->Right); }
+  Row Solve() const { return SolveLeastSquares(this->Matrix, this->Right); }
 
 private:
   Eigen::Matrix<double, Size, Size> Matrix = Eigen::Matrix<double, Size, Size>::Zero();
@@ -92,8 +95,7 @@ bool FindAxis(const FaceSample& face, const Vec3& origin, Primitive& shape)
   // The least of it for a direction of length 1: the best moment for each direction first.
   const Eigen::Matrix3d moments = products.bottomRightCorner<3, 3>();
   const Eigen::Matrix3d mixed = products.topRightCorner<3, 3>();
-  const Eigen::Matrix3d toMoment =
-    -moments.completeOrthogonalDecomposition().solve(mixed.transpose());
+  const Eigen::Matrix3d toMoment = -SolveLeastSquares(moments, mixed.transpose());
   shape.Axis = LeastDirection(products.topLeftCorner<3, 3>() + mixed * toMoment);
   const Vec3 moment = toMoment * shape.Axis;
   shape.Point = origin + shape.Axis.cross(moment); // the axis' nearest point to the origin

@@ -3,7 +3,9 @@
 
 #include "Refine.h"
 
-#include <Eigen/Dense>
+#include "LeastSquares.h"
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -122,7 +124,7 @@ void Refine(const FaceSample& face, double size, Primitive& shape)
     const Eigen::VectorXd gradient = jacobian.transpose() * residuals;
     Eigen::MatrixXd damped = normal;
     damped.diagonal() *= 1.0 + damping;
-    const Eigen::VectorXd change = damped.completeOrthogonalDecomposition().solve(-gradient);
+    const Eigen::VectorXd change = SolveLeastSquares(damped, -gradient);
     Primitive next = shape;
     for (Eigen::Index i = 0; i < count; ++i)
     {

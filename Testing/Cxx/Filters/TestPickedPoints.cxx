@@ -185,17 +185,21 @@ TEST_F(PickedPoints, ByLocation)
 
 TEST_F(PickedPoints, ByFrustum)
 {
-  std::vector<double> corners; // x slowest, z fastest, as vtkSelection has it
-  for (int corner = 0; corner < 8; ++corner)
+  for (const double nearWidth : { 1e-3, 0.0 }) // 0: a pyramid
   {
-    for (int axis = 0; axis < 3; ++axis)
+    std::vector<double> corners; // x slowest, z fastest, as vtkSelection has it
+    for (int corner = 0; corner < 8; ++corner)
     {
-      corners.push_back(this->Position[axis] + ((corner >> (2 - axis)) % 2 == 0 ? -1e-3 : 1e-3));
+      const bool far = corner % 2 == 1;
+      const double width = far ? 1e-3 : nearWidth;
+      corners.push_back(this->Position[0] + (corner / 4 == 0 ? -width : width));
+      corners.push_back(this->Position[1] + (corner / 2 % 2 == 0 ? -width : width));
+      corners.push_back(this->Position[2] + (far ? 1e-3 : -1e-3));
+      corners.push_back(1.0);
     }
-    corners.push_back(1.0);
+    this->ExpectLikeThePosition(Selected(
+      vtkSelectionNode::FRUSTUM, vtkSelectionNode::POINT, List<vtkDoubleArray>(corners, 4)));
   }
-  this->ExpectLikeThePosition(
-    Selected(vtkSelectionNode::FRUSTUM, vtkSelectionNode::POINT, List<vtkDoubleArray>(corners, 4)));
 }
 
 TEST_F(PickedPoints, ByInversionAndExpression)
