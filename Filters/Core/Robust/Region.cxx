@@ -238,10 +238,15 @@ private:
 };
 }
 
-EdgeAngles EdgeAngles::Of(double roughness, double setAngle)
+EdgeAngles EdgeAngles::Of(const Roughness& rough, double setAngle)
 {
-  constexpr double RoughSeed = 22.0;
-  constexpr double RoughGrown = 16.0;
+  // Of a segmentation, rounded once by its maker and once more by the smooth copy, an edge of 30
+  // degrees shows 12; its smooth faces 3 to 5 (of 95 in 100 vertices).
+  constexpr double TerracedSeed = 13.0;
+  constexpr double TerracedGrown = 10.0;
+  // What is left of noise in the smooth copy looks like shallow edges itself.
+  constexpr double NoisySeed = 22.0;
+  constexpr double NoisyGrown = 16.0;
   EdgeAngles angles;
   if (setAngle > 0.0)
   {
@@ -251,8 +256,8 @@ EdgeAngles EdgeAngles::Of(double roughness, double setAngle)
   }
   else
   {
-    angles.Seed = Mixed(angles.Seed, RoughSeed, roughness);
-    angles.Grown = Mixed(angles.Grown, RoughGrown, roughness);
+    angles.Seed = Mixed(Mixed(angles.Seed, TerracedSeed, rough.Degree), NoisySeed, rough.Noise);
+    angles.Grown = Mixed(Mixed(angles.Grown, TerracedGrown, rough.Degree), NoisyGrown, rough.Noise);
   }
   return angles;
 }

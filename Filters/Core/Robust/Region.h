@@ -7,6 +7,7 @@
 #ifndef arris_Robust_Region_h
 #define arris_Robust_Region_h
 
+#include "Roughness.h"
 #include "Turn.h"
 
 namespace arris
@@ -27,9 +28,8 @@ struct EdgeAngles
   double Grown = 12.0; ///< beside one that is, this is enough
   double Corner = 55.0; ///< no smooth surface that is sampled turns so in a window
 
-  /// What rough faces take for edges themselves is left out, by how rough they are (0 to 1). An
-  /// angle that the user has set (not 0) stands.
-  static EdgeAngles Of(double roughness, double setAngle);
+  /// Suits the mesh, unless the user has set an angle (not 0).
+  static EdgeAngles Of(const Roughness& rough, double setAngle);
 };
 
 SharpRegion FindSharpRegion(const Mesh& mesh, const Connectivity& connectivity,

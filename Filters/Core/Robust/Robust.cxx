@@ -143,8 +143,7 @@ private:
 
     const StopWatch thinning;
     const Surroundings around{ this->Work, this->TheConnectivity, faces, this->Scales,
-      this->Result.NormalDifferences, this->Result.Rounding, this->Result.Rough.Degree,
-      this->Together };
+      this->Result.NormalDifferences, this->Result.Rounding, this->Result.Rough, this->Together };
     Labelling labelling;
     if (!LabelVertices(around, monitor.Part(Measured, Fitted), this->Region, labelling))
     {
@@ -184,8 +183,7 @@ private:
     {
       return false;
     }
-    const EdgeAngles angles =
-      EdgeAngles::Of(this->Result.Rough.Degree, this->Parameters.SharpAngle);
+    const EdgeAngles angles = EdgeAngles::Of(this->Result.Rough, this->Parameters.SharpAngle);
     SharpRegion sharp =
       FindSharpRegion(this->Work, this->TheConnectivity, this->Turns, scales, angles);
     this->Region = std::move(sharp.Vertices);

@@ -34,8 +34,8 @@ namespace arris
 struct RobustParameters
 {
   double WindowRadius = 0.0; ///< λ; 0: three quarters of the local edge length
-  double SharpAngle = 0.0; ///< degrees; the turn from which on an edge is sharp; 0: 16, on rough
-                           ///< meshes 22
+  double SharpAngle = 0.0; ///< degrees; the turn from which on an edge is sharp; 0: 16, of
+                           ///< segmentations 13, of noise 22
   bool Denoise = false; ///< of a rough mesh, the smooth faces are moved as well
 };
 

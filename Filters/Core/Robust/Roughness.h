@@ -19,6 +19,7 @@ struct Roughness
   double Height = 0.0; ///< rms distance of vertices from a smooth surface, in local edge lengths
   double Angle = 0.0; ///< rms angle between triangles and that surface, in degrees
   double Degree = 0.0; ///< 0: as smooth as exact contours are; 1: rough
+  double Noise = 0.0; ///< of what is rough, 0: as even as the terraces of a segmentation; 1: noise
 };
 
 /// Measures at some thousands of vertices and takes the smoother ones of them for smooth surface,

@@ -70,7 +70,7 @@ std::vector<Side> SideFinder::FitAround(Index vertex, LocalSolid& solid)
 {
   std::vector<Side> sides;
   const double scale = this->Around.Scales[vertex];
-  this->GatherStatic(vertex, Reach(this->Around.Roughness) * scale);
+  this->GatherStatic(vertex, Reach(this->Around.Rough.Degree) * scale);
   for (const NearVertex& near : this->Static) // nearest first
   {
     const Index patch = this->From.ThePatches.PatchOf[near.Vertex];
@@ -175,7 +175,7 @@ void SideFinder::GatherBeyond(Index vertex, double radius)
 
 SideFinder::FitWindow SideFinder::WindowFrom(double nearest, double scale) const
 {
-  const double roughness = this->Around.Roughness;
+  const double roughness = this->Around.Rough.Degree;
   const double distance = std::max(nearest, UnblurredDistance * this->From.BlurWidth * scale);
   return { distance + Mixed(SampleDepth, RoughSampleDepth, roughness) * scale,
     distance + Mixed(WeightDepth, RoughWeightDepth, roughness) * scale };
@@ -196,7 +196,7 @@ SheetSample SideFinder::SampleAt(const NearVertex& near, double width) const
 void SideFinder::Fit(Index vertex, Side& side)
 {
   const double scale = this->Around.Scales[vertex];
-  const double roughness = this->Around.Roughness;
+  const double roughness = this->Around.Rough.Degree;
   const FitWindow window = this->WindowFrom(side.Distance, scale);
   const double likeCosine = std::cos(LikeNormal * Pi / 180.0);
   Vec3 normal = Vec3::Zero();

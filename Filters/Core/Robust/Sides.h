@@ -24,12 +24,11 @@ struct Surroundings
   const std::vector<double>& Scales;
   const std::vector<double>& Flatness; ///< λτ of each vertex
   double Rounding; ///< how far the sampling has rounded edges, 0 to 1
-  double Roughness; ///< how rough the input was, 0 to 1
+  Roughness Rough; ///< of the input
   const Whole* Together; ///< the assembly that this is the patches of; null for one 2-manifold
 
-  /// Whether a blur has rounded all edges; what is rough is round as well, but by no blur that a
-  /// width describes.
-  bool IsBlurred() const { return this->Rounding > BlurRounding && this->Roughness == 0.0; }
+  /// Whether a blur has rounded all edges. Noise leaves too little of its shape to tell its width.
+  bool IsBlurred() const { return this->Rounding > BlurRounding && this->Rough.Noise == 0.0; }
 };
 
 /// λτ at which a sample's weight falls to 1/e: what bends is contaminated or another face.

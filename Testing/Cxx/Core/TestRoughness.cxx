@@ -56,7 +56,9 @@ TEST(RoughnessOf, NoisyMeshesIsWhole)
 {
   for (const Mesh& mesh : { Sphere(Radius, 30), FlatGrid(40, 40), Box(30, 30, 30) })
   {
-    EXPECT_EQ(Measured(Noisy(mesh, NoiseSize)).Rough.Degree, 1.0);
+    const Roughness rough = Measured(Noisy(mesh, NoiseSize)).Rough;
+    EXPECT_EQ(rough.Degree, 1.0);
+    EXPECT_EQ(rough.Noise, 1.0);
   }
 }
 

@@ -128,6 +128,19 @@ inline Solid BracketSolid()
     0.4);
 }
 
+/// The sides of a regular prism meet at a turn of 360 degrees by their number.
+inline Solid RegularPrism(int sides)
+{
+  constexpr double Radius = 0.75;
+  std::vector<Point2> corners;
+  for (int i = 0; i < sides; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * i / sides;
+    corners.emplace_back(Radius * std::cos(angle), Radius * std::sin(angle));
+  }
+  return Prism(corners, 0.5);
+}
+
 inline Solid CylinderSolid()
 {
   constexpr double Radius = 0.6;
@@ -185,15 +198,33 @@ inline vtkSmartPointer<vtkPolyData> Contour(const Solid& solid, int samples)
   return ContourOfImage(DistanceImage(solid, samples));
 }
 
-/// The same, of the distance after a Gaussian of this width (in cells) has blurred it.
-inline vtkSmartPointer<vtkPolyData> BlurredContour(const Solid& solid, int samples, double width)
+inline vtkSmartPointer<vtkPolyData> ContourOfBlurred(vtkImageData* image, double width)
 {
   vtkNew<vtkImageGaussianSmooth> blur;
-  blur->SetInputData(DistanceImage(solid, samples));
+  blur->SetInputData(image);
   blur->SetStandardDeviation(width);
   blur->SetRadiusFactor(4.0);
   blur->Update();
   return ContourOfImage(blur->GetOutput());
+}
+
+/// The same, of the distance after a Gaussian of this width (in cells) has blurred it.
+inline vtkSmartPointer<vtkPolyData> BlurredContour(const Solid& solid, int samples, double width)
+{
+  return ContourOfBlurred(DistanceImage(solid, samples), width);
+}
+
+/// What a segmentation leaves of a solid: its samples are inside or outside, and a Gaussian of one
+/// cell makes something of that to contour.
+inline vtkSmartPointer<vtkPolyData> SegmentedContour(const Solid& solid, int samples)
+{
+  const vtkSmartPointer<vtkImageData> image = DistanceImage(solid, samples);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetTuple1(i, values->GetTuple1(i) > 0.0 ? 1.0 : -1.0);
+  }
+  return ContourOfBlurred(image, 1.0);
 }
 }
 }
