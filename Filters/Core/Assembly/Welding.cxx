@@ -6,6 +6,7 @@
 #include "CoincidentPoints.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -22,6 +23,42 @@ Index IdAt(const Connectivity& connectivity, const std::vector<Index>& ids, Inde
 }
 }
 
+namespace
+{
+/// For each of the used vertices the lowest at its position. Where that would join the ends of an
+/// edge, the positions are what the mesh tells apart, however near they are to each other: then
+/// only those that are the same to the last bit are one.
+std::vector<Index> LowestOfPosition(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<Index>& used, double tolerance)
+{
+  std::vector<Index> lowest = LowestCoincident(mesh.Points, used, tolerance);
+  std::vector<Index> lowestOf(mesh.Points.size(), NoIndex);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    lowestOf[used[i]] = lowest[i];
+  }
+  Flags told(mesh.Points.size(), 0); // by the lowest vertex of a position
+  for (const Index v : used)
+  {
+    for (const Index n : connectivity.NeighborsOfVertex[v])
+    {
+      told[lowestOf[v]] |=
+        static_cast<unsigned char>(lowestOf[v] == lowestOf[n] && mesh.Points[v] != mesh.Points[n]);
+    }
+  }
+  std::vector<Index> apart;
+  std::copy_if(used.begin(), used.end(), std::back_inserter(apart),
+    [&](Index v) { return told[lowestOf[v]] != 0; });
+  const std::vector<Index> same = LowestCoincident(mesh.Points, apart, 0.0);
+  auto next = same.begin();
+  for (Index& one : lowest)
+  {
+    one = told[one] ? *next++ : one;
+  }
+  return lowest;
+}
+}
+
 std::vector<Index> WeldedVertices(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<Index>& ids, double tolerance)
 {
@@ -33,7 +70,7 @@ std::vector<Index> WeldedVertices(const Mesh& mesh, const Connectivity& connecti
       used.push_back(v);
     }
   }
-  const std::vector<Index> lowest = LowestCoincident(mesh.Points, used, tolerance);
+  const std::vector<Index> lowest = LowestOfPosition(mesh, connectivity, used, tolerance);
   const Flags open = OpenVertices(mesh, connectivity);
   Flags meets(mesh.Points.size(), 0); // by the lowest vertex of a position
   for (std::size_t i = 0; i < used.size(); ++i)

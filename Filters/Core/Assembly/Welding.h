@@ -14,7 +14,8 @@ namespace arris
 /// For each vertex the lowest of those that it is one with, mostly itself. Vertices no farther than
 /// `tolerance` apart are one if one of them is on an open edge or if they belong to triangles of
 /// different ids: what touches itself without that, as the contours of some volumes do, stays as it
-/// is. `ids` has one entry a triangle, or none at all.
+/// is. So do the ends of an edge that is shorter than that. `ids` has one entry a triangle, or none
+/// at all.
 std::vector<Index> WeldedVertices(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<Index>& ids, double tolerance);
 

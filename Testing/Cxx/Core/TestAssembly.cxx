@@ -196,6 +196,20 @@ TEST(Assembly, CommonVerticesAreTheLowest)
   }
 }
 
+TEST(Assembly, TheEndsOfAnEdgeStayApartHoweverShortItIs)
+{
+  const Mesh sliver{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0.5 * Tolerance, 0 }, { 0, 1, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 } } };
+  const Made made(sliver);
+  EXPECT_EQ(made.TheMesh.Triangles, sliver.Triangles);
+  EXPECT_EQ(made.TheAssembly.SameAs, (std::vector<Index>{ 0, 1, 2, 3 }));
+
+  // What is at the very same positions is sewn there all the same.
+  Mesh beside = sliver;
+  Append(beside, { { { 2, 0, 0 }, { 1, 0.5 * Tolerance, 0 }, { 1, 0, 0 } }, { { 0, 1, 2 } } });
+  EXPECT_EQ(Made(beside).TheAssembly.SameAs, (std::vector<Index>{ 0, 1, 2, 3, 4, 2, 1 }));
+}
+
 TEST(Assembly, SheetsBesideEachOtherAreSewnUnlessIdsPartThem)
 {
   Mesh mesh = FlatGrid(4, 5);
