@@ -154,6 +154,7 @@ std::string vtkAssemblyAlgorithm::ReadAssembly(
   if (!problem.empty())
   {
     output->Initialize();
+    surface = arris::Surface();
   }
   this->NumberOfPatches = surface.Triangulation.Triangles.empty() ? 0 : surface.Facts.Patches;
   this->NumberOfCommonVertices = surface.Facts.CommonVertices;
