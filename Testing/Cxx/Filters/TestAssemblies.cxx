@@ -297,6 +297,7 @@ void ExpectOneError(vtkPolyData* input, const std::string& about, const char* na
   vtkNew<vtkSharpEdgeReconstruction> filter;
   filter->SetPatchArrayName(name);
   arris::testing::ExpectOneError(filter, input, about);
+  EXPECT_EQ(filter->GetNumberOfPatches(), 0);
 }
 }
 
