@@ -62,7 +62,7 @@ struct Solid
   {
     std::vector<Point3> points;
     const auto add = [&](const Point2& p, double z)
-    { points.push_back(Rotation() * Point3(p.x(), p.y(), z) + Offset()); };
+    { points.emplace_back(Rotation() * Point3(p.x(), p.y(), z) + Offset()); };
     for (const std::vector<Point2>& part : this->Outline)
     {
       for (std::size_t i = 0; i + 1 < part.size(); ++i)
