@@ -16,7 +16,7 @@ import sheet
 from score import NEAR, score
 
 ROOT = Path(__file__).resolve().parents[3]
-NEAR_OF = {"segmentation": 0.5}  # cells, where the sampling itself is off by more than NEAR
+NEAR_OF = {"segmentation": 0.5, "smoothed": 0.5}  # cells, where the sampling itself is off by more than NEAR
 COLUMNS = {  # figure -> heading and format
     "recall": ("recall %", "{:.1f}"), "precision": ("precision %", "{:.1f}"),
     "corners": ("corners %", "{:.1f}"), "false_length": ("false, cells", "{:.1f}"),

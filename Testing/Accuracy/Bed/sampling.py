@@ -12,13 +12,16 @@ import pymeshlab
 from scipy.ndimage import gaussian_filter
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+from vtkmodules.vtkFiltersCore import (vtkFlyingEdges3D, vtkQuadricDecimation,
+                                       vtkWindowedSincPolyDataFilter)
 
-from meshes import Mesh, from_polydata
+from meshes import Mesh, from_polydata, to_polydata
 
 HALF = 32.0  # the grid reaches from -HALF to HALF
 BLEND = 0.8  # cells: width of the Gaussian of a blended distance
 VOXEL_BLUR = 1.0  # cells: width of the Gaussian of a segmentation
+DECIMATED = 0.5  # share of triangles taken away
+PASS_BAND, ITERATIONS = 0.1, 20  # of the smoothing: VTK's defaults
 LIGHT, HEAVY = 0.1, 0.3  # noise, in mean edge lengths
 SHEAR = 0.5  # of the irregular sampling: edges vary about twofold in length
 CLEAR = 0.15  # cells: the irregular sampling keeps its vertices this far from sharp curves
@@ -68,6 +71,21 @@ def segmentation(truth, resolution):
     return _flying_edges(-gaussian_filter(inside, VOXEL_BLUR, mode="nearest"), -0.5)
 
 
+def decimated(truth, resolution):
+    """The contour with DECIMATED of its triangles taken away, most of them in flat places."""
+    decimation = vtkQuadricDecimation()
+    decimation.SetTargetReduction(DECIMATED)
+    return _filtered(contour(truth, resolution), decimation)
+
+
+def smoothed(truth, resolution):
+    """The contour smoothed by a windowed sinc, as many do with every contour."""
+    smoothing = vtkWindowedSincPolyDataFilter()
+    smoothing.SetPassBand(PASS_BAND)
+    smoothing.SetNumberOfIterations(ITERATIONS)
+    return _filtered(contour(truth, resolution), smoothing)
+
+
 def lightnoise(truth, resolution):
     """The contour with Gaussian noise of LIGHT mean edge lengths."""
     return _noisy(contour(truth, resolution), LIGHT)
@@ -101,8 +119,8 @@ def irregular(truth, resolution):
     return Mesh(points, mesh.tris)
 
 
-KINDS = {f.__name__: f for f in (contour, snapped, irregular, blended, segmentation, lightnoise,
-                                 heavynoise)}
+KINDS = {f.__name__: f for f in (contour, snapped, irregular, decimated, smoothed, blended,
+                                 segmentation, lightnoise, heavynoise)}
 
 
 def distances(truth, resolution, band):
@@ -131,6 +149,13 @@ def distances(truth, resolution, band):
             axis[where], truth.mesh.points, truth.mesh.tris,
             igl.SignedDistanceType.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER)[0]
     return np.clip(values, -band * cell, band * cell)
+
+
+def _filtered(mesh, algorithm):
+    """The output of a filter of VTK."""
+    algorithm.SetInputData(to_polydata(mesh.points, mesh.tris))
+    algorithm.Update()
+    return from_polydata(algorithm.GetOutput())
 
 
 def _flying_edges(values, level):
