@@ -21,10 +21,7 @@ Index IdAt(const Connectivity& connectivity, const std::vector<Index>& ids, Inde
 {
   return ids.empty() ? 0 : ids[connectivity.TrianglesOfVertex[vertex][0]];
 }
-}
 
-namespace
-{
 /// For each of the used vertices the lowest at its position. Where that would join the ends of an
 /// edge, the positions are what the mesh tells apart, however near they are to each other: then
 /// only those that are the same to the last bit are one.

@@ -228,7 +228,10 @@ void SideFinder::Fit(Index vertex, Side& side)
   caution.FlatResidual = Mixed(caution.FlatResidual, RoughFlatResidual, roughness);
   caution.Ridge = Mixed(caution.Ridge, RoughRidge, roughness);
   side.Surface = Sheet(this->Fitted, scale, caution);
-  this->FitBeyond(scale, caution, side.Surface);
+  if (!this->Beyond.empty())
+  {
+    this->FitBeyond(scale, caution, side.Surface);
+  }
   side.Surface.Unblur(this->From.BlurWidth * scale);
 }
 
