@@ -13,12 +13,12 @@ namespace arris
 {
 namespace testing
 {
-/// A solid, and how many times nearer to it its contour must come.
+/// A solid, and the least that must be recovered of it, in whatever a test measures.
 struct Model
 {
   const char* Name;
   Solid (*Make)();
-  double LeastImprovement;
+  double Least;
 };
 inline std::ostream& operator<<(std::ostream& os, const Model& model)
 {

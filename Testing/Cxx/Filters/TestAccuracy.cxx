@@ -15,7 +15,7 @@ TEST_P(Accuracy, ComesNearerToTheTruthInTheMean)
 {
   const double improvement = this->Improvement();
   this->RecordProperty("times", std::to_string(improvement));
-  EXPECT_GE(improvement, GetParam().LeastImprovement);
+  EXPECT_GE(improvement, GetParam().Least);
 }
 
 TEST_P(Accuracy, MostOfTheSharpEdgesAreBack)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Arris developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distances.h"
+#include "Accuracy.h"
 
 #include <vtkFieldData.h>
 
@@ -22,18 +22,7 @@ double Found(vtkPolyData* mesh, const Solid& solid)
   return Recall(mesh, solid.SharpEdgePoints(0.05 * width), 0.1 * width);
 }
 
-struct Blurred
-{
-  const char* Name;
-  Solid (*Make)();
-  double LeastRecall;
-};
-std::ostream& operator<<(std::ostream& os, const Blurred& blurred)
-{
-  return os << blurred.Name;
-}
-
-class BlurredSolid : public ::testing::TestWithParam<Blurred>
+class BlurredSolid : public ::testing::TestWithParam<Model>
 {
 };
 }
@@ -48,10 +37,10 @@ TEST_P(BlurredSolid, GetsItsEdgesBack)
   EXPECT_LE(Found(before, solid), 0.05) << "or the blur did not take them";
   const double found = Found(after, solid);
   RecordProperty("found", std::to_string(found));
-  EXPECT_GE(found, GetParam().LeastRecall);
+  EXPECT_GE(found, GetParam().Least);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, BlurredSolid,
-  ::testing::Values(Blurred{ "Box", BoxSolid, 0.99 }, Blurred{ "Cylinder", CylinderSolid, 0.99 },
-    Blurred{ "Bracket", BracketSolid, 0.99 }),
-  [](const ::testing::TestParamInfo<Blurred>& test) { return test.param.Name; });
+  ::testing::Values(Model{ "Box", BoxSolid, 0.99 }, Model{ "Cylinder", CylinderSolid, 0.99 },
+    Model{ "Bracket", BracketSolid, 0.99 }),
+  ModelName);

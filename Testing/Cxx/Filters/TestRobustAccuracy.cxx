@@ -37,7 +37,7 @@ using RobustAccuracy = RecoveredModel<Recover>;
 
 TEST_P(RobustAccuracy, ComesNearerToTheTruthInTheMean)
 {
-  EXPECT_GE(this->Improvement(), GetParam().LeastImprovement);
+  EXPECT_GE(this->Improvement(), GetParam().Least);
 }
 
 TEST_P(RobustAccuracy, NearlyAllSharpEdgesAreBack)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Arris developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distances.h"
+#include "Accuracy.h"
 
 #include <vtkFieldData.h>
 
@@ -15,18 +15,7 @@ namespace
 {
 constexpr int Samples = 64;
 
-struct Segmented
-{
-  const char* Name;
-  Solid (*Make)();
-  double LeastRecall;
-};
-std::ostream& operator<<(std::ostream& os, const Segmented& segmented)
-{
-  return os << segmented.Name;
-}
-
-class SegmentedSolid : public ::testing::TestWithParam<Segmented>
+class SegmentedSolid : public ::testing::TestWithParam<Model>
 {
 };
 }
@@ -41,12 +30,12 @@ TEST_P(SegmentedSolid, GetsItsEdgesBack)
   const double width = CellWidth(Samples);
   const double found = Recall(after, solid.SharpEdgePoints(0.05 * width), 0.5 * width);
   RecordProperty("found", std::to_string(found));
-  EXPECT_GE(found, GetParam().LeastRecall);
+  EXPECT_GE(found, GetParam().Least);
 }
 
 // Of the prism with edges of 40 degrees, thresholds that suit noise find 67 %.
 INSTANTIATE_TEST_SUITE_P(Solids, SegmentedSolid,
-  ::testing::Values(Segmented{ "Box", BoxSolid, 0.95 },
-    Segmented{ "Nonagon", [] { return RegularPrism(9); }, 0.9 },
-    Segmented{ "Cylinder", CylinderSolid, 0.95 }),
-  [](const ::testing::TestParamInfo<Segmented>& test) { return test.param.Name; });
+  ::testing::Values(Model{ "Box", BoxSolid, 0.95 },
+    Model{ "Nonagon", [] { return RegularPrism(9); }, 0.9 },
+    Model{ "Cylinder", CylinderSolid, 0.95 }),
+  ModelName);
