@@ -21,9 +21,12 @@
 #include <vtkVariant.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace arris
@@ -148,21 +151,16 @@ std::string MarkNearest(const Node& node, vtkDataArray* list)
 class Frustum
 {
 public:
-  explicit Frustum(vtkDataArray* list)
+  using Corners = Eigen::Matrix<double, 3, 8>;
+
+  explicit Frustum(const Corners& corners)
   {
-    Vec3 corners[8];
-    Vec3 center = Vec3::Zero();
-    for (int i = 0; i < 8; ++i)
-    {
-      corners[i] =
-        Vec3(list->GetComponent(i, 0), list->GetComponent(i, 1), list->GetComponent(i, 2));
-      center += corners[i] / 8.0;
-    }
+    const Vec3 center = corners.rowwise().mean();
     constexpr int Faces[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
       { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
     for (int i = 0; i < 6; ++i)
     {
-      const auto corner = [&](int k) { return corners[Faces[i][k]]; };
+      const auto corner = [&](int k) -> Vec3 { return corners.col(Faces[i][k]); };
       // By the diagonals, which a side that ends in one point still has.
       this->Sides[i] = { corner(0), (corner(2) - corner(0)).cross(corner(3) - corner(1)) };
       if (this->Sides[i].Height(center) < 0.0)
@@ -190,13 +188,37 @@ private:
   std::array<Plane, 6> Sides;
 };
 
+/// Whether the corners lie in one plane, or do but for the rounding of their coordinates: sides of
+/// such a frustum have no inside.
+bool AreFlat(const Frustum::Corners& corners, double rounding)
+{
+  const Frustum::Corners fromCenter = corners.colwise() - corners.rowwise().mean();
+  // The pivots go from the longest direction to that across the best plane.
+  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 8, 3>> directions(fromCenter.transpose());
+  const double width = std::abs(directions.matrixQR()(2, 2));
+  return width <= rounding * corners.cwiseAbs().maxCoeff();
+}
+
 std::string MarkFrustum(const Node& node, vtkDataArray* list)
 {
   if (list->GetNumberOfTuples() != 8 || list->GetNumberOfComponents() < 3)
   {
     return "its frustum does not have eight corners";
   }
-  const Frustum frustum(list);
+  Frustum::Corners corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners.col(i) << list->GetComponent(i, 0), list->GetComponent(i, 1), list->GetComponent(i, 2);
+  }
+  constexpr double Roundings = 16.0; // more than eight corners and their mean can add up to
+  const double rounding = Roundings *
+    (list->GetDataType() == VTK_FLOAT ? std::numeric_limits<float>::epsilon()
+                                      : std::numeric_limits<double>::epsilon());
+  if (!corners.allFinite() || AreFlat(corners, rounding))
+  {
+    return "its frustum has no width";
+  }
+  const Frustum frustum(corners);
   const auto holds = [&](vtkIdType point)
   {
     double position[3];

@@ -9,6 +9,9 @@
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
 
+#include <algorithm>
+#include <limits>
+
 using namespace arris::testing;
 
 // Points picked on the contour of a box, as positions and as selections of every kind.
@@ -39,6 +42,16 @@ vtkSmartPointer<vtkSelection> Selected(int content, int field, vtkAbstractArray*
   selection->AddNode(node);
   return selection;
 }
+
+/// Half of a frustum's width where it begins and where it ends, half of its depth, and how much of
+/// x - y is left: 0 is a plane.
+struct Shape
+{
+  double Near = 1e-3;
+  double Far = 1e-3;
+  double Depth = 1e-3;
+  double Thickness = 1.0;
+};
 
 class PickedPoints : public ::testing::Test
 {
@@ -76,6 +89,43 @@ protected:
     EXPECT_EQ(bySelection->GetUsedSharpAngle(), byPosition->GetUsedSharpAngle());
     EXPECT_EQ(bySelection->GetUsedWindow(), byPosition->GetUsedWindow());
     ExpectIdentical(found, expected);
+  }
+
+  /// Around the sharpest point, as vtkSelection has it: x slowest, z fastest.
+  vtkSmartPointer<vtkDoubleArray> Frustum(const Shape& shape) const
+  {
+    std::vector<double> corners;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const bool far = corner % 2 == 1;
+      const double width = far ? shape.Far : shape.Near;
+      const double x = corner / 4 == 0 ? -width : width;
+      const double y = corner / 2 % 2 == 0 ? -width : width;
+      const double off = (1.0 - shape.Thickness) * (x - y) / 2.0;
+      corners.push_back(this->Position[0] + x - off);
+      corners.push_back(this->Position[1] + y + off);
+      corners.push_back(this->Position[2] + (far ? shape.Depth : -shape.Depth));
+      corners.push_back(1.0);
+    }
+    return List<vtkDoubleArray>(corners, 4);
+  }
+
+  /// Picks cells at the sharpest point; of each of `cells` one point at least is sharp then.
+  void ExpectSharp(vtkIdList* cells, vtkSelection* selection)
+  {
+    vtkNew<vtkUSSODFilter> filter;
+    filter->SetPickedPointsSharpData(selection);
+    const auto result = Execute(filter, this->Mesh);
+    EXPECT_NE(filter->GetUsedSharpAngle(), filter->GetSharpAngle());
+    vtkDataArray* region = result->GetPointData()->GetArray("SharpRegion");
+    vtkNew<vtkIdList> points;
+    for (const vtkIdType cell : *cells)
+    {
+      this->Mesh->GetCellPoints(cell, points);
+      EXPECT_TRUE(std::any_of(points->begin(), points->end(),
+        [region](vtkIdType v) { return region->GetComponent(v, 0) == 1.0; }))
+        << cell;
+    }
   }
 
   vtkSmartPointer<vtkPoints> At(const std::vector<vtkIdType>& ids) const
@@ -177,6 +227,24 @@ TEST_F(PickedPoints, ByThreshold)
     Selected(vtkSelectionNode::THRESHOLDS, vtkSelectionNode::POINT, list));
 }
 
+TEST_F(PickedPoints, ByThresholdOfAComponent)
+{
+  vtkNew<vtkIntArray> pairs; // 0 and the point's number
+  pairs->SetName("Pairs");
+  pairs->SetNumberOfComponents(2);
+  for (int v = 0; v < this->Mesh->GetNumberOfPoints(); ++v)
+  {
+    pairs->InsertNextTuple2(0.0, v);
+  }
+  this->Mesh->GetPointData()->AddArray(pairs);
+  const auto number = static_cast<double>(this->Sharp);
+  const auto list = List<vtkDoubleArray>({ number, number });
+  list->SetName("Pairs");
+  const auto selection = Selected(vtkSelectionNode::THRESHOLDS, vtkSelectionNode::POINT, list);
+  selection->GetNode(0)->GetProperties()->Set(vtkSelectionNode::COMPONENT_NUMBER(), 1);
+  this->ExpectLikeThePosition(selection);
+}
+
 TEST_F(PickedPoints, ByLocation)
 {
   this->ExpectLikeThePosition(Selected(
@@ -187,19 +255,27 @@ TEST_F(PickedPoints, ByFrustum)
 {
   for (const double nearWidth : { 1e-3, 0.0 }) // 0: a pyramid
   {
-    std::vector<double> corners; // x slowest, z fastest, as vtkSelection has it
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const bool far = corner % 2 == 1;
-      const double width = far ? 1e-3 : nearWidth;
-      corners.push_back(this->Position[0] + (corner / 4 == 0 ? -width : width));
-      corners.push_back(this->Position[1] + (corner / 2 % 2 == 0 ? -width : width));
-      corners.push_back(this->Position[2] + (far ? 1e-3 : -1e-3));
-      corners.push_back(1.0);
-    }
     this->ExpectLikeThePosition(Selected(
-      vtkSelectionNode::FRUSTUM, vtkSelectionNode::POINT, List<vtkDoubleArray>(corners, 4)));
+      vtkSelectionNode::FRUSTUM, vtkSelectionNode::POINT, this->Frustum({ nearWidth, 1e-3 })));
   }
+}
+
+TEST_F(PickedPoints, ByAFrustumOfNoWidthAreErrors)
+{
+  // In the plane x = y - as that of a rectangle drawn on a picture, where it has no width - in a
+  // line, in a point, and with a corner that is no number: all would select what is far off.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  vtkNew<vtkUSSODFilter> filter;
+  for (const auto& shape : { Shape{ 1.0, 1.0, 1.0, 0.0 }, Shape{ 0.0, 0.0, 1.0 },
+         Shape{ 0.0, 0.0, 0.0 }, Shape{ 1.0, nan, 1.0 } })
+  {
+    filter->SetPickedPointsSharpData(
+      Selected(vtkSelectionNode::FRUSTUM, vtkSelectionNode::POINT, this->Frustum(shape)));
+    this->ExpectError(filter, "its frustum has no width");
+  }
+  filter->SetPickedPointsSharpData(
+    Selected(vtkSelectionNode::FRUSTUM, vtkSelectionNode::POINT, List<vtkDoubleArray>({ 1.0 }, 1)));
+  this->ExpectError(filter, "eight corners");
 }
 
 TEST_F(PickedPoints, ByInversionAndExpression)
@@ -227,24 +303,28 @@ TEST_F(PickedPoints, ByInversionAndExpression)
 
 TEST_F(PickedPoints, ByCell)
 {
-  // Of a cell's points the sharpest counts, so a cell at the sharpest point of all is as sharp.
-  vtkNew<vtkIdList> cells;
+  // Of a cell's points the sharpest counts.
+  vtkNew<vtkIdList> around;
   this->Mesh->BuildLinks();
-  this->Mesh->GetPointCells(this->Sharp, cells);
-  const double id = static_cast<double>(cells->GetId(0));
-  vtkNew<vtkUSSODFilter> filter;
-  filter->SetPickedPointsSharpData(
-    Selected(vtkSelectionNode::INDICES, vtkSelectionNode::CELL, List({ id })));
-  const auto result = Execute(filter, this->Mesh);
+  this->Mesh->GetPointCells(this->Sharp, around);
+  this->ExpectSharp(
+    around, Selected(vtkSelectionNode::FRUSTUM, vtkSelectionNode::CELL, this->Frustum({})));
+  vtkNew<vtkIdList> one;
+  one->InsertNextId(around->GetId(0));
+  const auto id = static_cast<double>(one->GetId(0));
+  this->ExpectSharp(one, Selected(vtkSelectionNode::INDICES, vtkSelectionNode::CELL, List({ id })));
   vtkNew<vtkIdList> points;
-  this->Mesh->GetCellPoints(cells->GetId(0), points);
-  double sharp = 0.0;
+  this->Mesh->GetCellPoints(one->GetId(0), points);
+  std::vector<double> middle(3, 0.0); // which no other cell is as near to
   for (const vtkIdType v : *points)
   {
-    sharp = std::max(sharp, result->GetPointData()->GetArray("SharpRegion")->GetComponent(v, 0));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      middle[axis] += this->Mesh->GetPoint(v)[axis] / 3.0;
+    }
   }
-  EXPECT_EQ(sharp, 1.0);
-  EXPECT_NE(filter->GetUsedSharpAngle(), filter->GetSharpAngle());
+  this->ExpectSharp(one,
+    Selected(vtkSelectionNode::LOCATIONS, vtkSelectionNode::CELL, List<vtkDoubleArray>(middle, 3)));
 }
 
 TEST_F(PickedPoints, NoneLeaveTheParametersAsTheyAre)
