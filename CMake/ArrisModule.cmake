@@ -20,6 +20,7 @@ set(sources
   Filters/Core/FreeBoundary.cxx
   Filters/Core/Geometry.cxx
   Filters/Core/Intersections.cxx
+  Filters/Core/Kinks.cxx
   Filters/Core/Mesh.cxx
   Filters/Core/NormalSpread.cxx
   Filters/Core/Picks.cxx

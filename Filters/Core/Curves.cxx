@@ -5,6 +5,7 @@
 
 #include "EdgeGraph.h"
 #include "Geometry.h"
+#include "Kinks.h"
 
 #include <algorithm>
 
@@ -59,9 +60,18 @@ private:
         ? 0.0
         : std::min(this->TurnAt(node, 0.0), this->TurnAt(node, this->Splits.Reach));
     }
+    Flags turned(this->IsCorner.size());
     for (Index node = 0; node < this->Graph.size(); ++node)
     {
-      this->IsCorner[node] |= turns[node] > this->Splits.CornerAngle ? 1 : 0;
+      turned[node] = turns[node] > this->Splits.CornerAngle ? 1 : 0;
+    }
+    if (this->Splits.ForgetKinks)
+    {
+      ForgetKinks(this->Graph, this->Points, this->IsCorner, this->Splits.CornerAngle, turned);
+    }
+    for (Index node = 0; node < this->Graph.size(); ++node)
+    {
+      this->IsCorner[node] |= turned[node];
     }
   }
 

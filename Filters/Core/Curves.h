@@ -42,6 +42,9 @@ struct CurveSplits
 
   /// A number for each edge: a curve is split where it changes. Empty: all are alike.
   std::vector<int> Sorts = {};
+
+  /// Whether turns that are taken back at once split no curve: see Kinks.h.
+  bool ForgetKinks = false;
 };
 
 /// Joins edges (a, b) into curves. Curves between corners come first, from the lowest corner on;

@@ -172,6 +172,66 @@ TEST(Curves, ATightArcIsNoTurnHoweverFarTheReach)
   EXPECT_EQ(JoinEdges(edges, points, { 60.0, 2.0, {} }).Curves.size(), 1u);
 }
 
+namespace
+{
+/// A run of edges along points.
+Edges RunOf(const std::vector<Vec3>& points)
+{
+  Edges edges;
+  for (Index i = 0; i + 1 < static_cast<Index>(points.size()); ++i)
+  {
+    edges.push_back({ i, i + 1 });
+  }
+  return edges;
+}
+std::size_t CurvesOf(const std::vector<Vec3>& points, bool forgetKinks)
+{
+  return JoinEdges(RunOf(points), points, { 60.0, 0.0, {}, forgetKinks }).Curves.size();
+}
+}
+
+TEST(Curves, AVertexThatStandsOffIsNoCornerWhereKinksAreForgotten)
+{
+  std::vector<Vec3> points = Line(11);
+  points[5].y() = 2.0;
+  EXPECT_EQ(CurvesOf(points, false), 4U);
+  EXPECT_EQ(CurvesOf(points, true), 1U);
+}
+
+TEST(Curves, ATurnForGoodIsACornerThoughKinksAreForgotten)
+{
+  std::vector<Vec3> points = Line(11);
+  for (Index i = 5; i < 11; ++i) // by 90 degrees
+  {
+    points[i] = Vec3(5.0, i - 5.0, 0.0);
+  }
+  EXPECT_EQ(CurvesOf(points, true), 2U);
+}
+
+TEST(Curves, ACoarseOutlineKeepsItsCornersThoughKinksAreForgotten)
+{
+  std::vector<Vec3> battlements;
+  for (Index i = 0; i < 12; ++i) // up, right, down, right, ...
+  {
+    battlements.emplace_back(i / 2, (i + 1) / 2 % 2, 0.0);
+  }
+  EXPECT_EQ(CurvesOf(battlements, true), 11U);
+}
+
+TEST(Curves, AKinkJustBeforeAJunctionIsForgotten)
+{
+  std::vector<Vec3> points = Line(11);
+  points[1] += Vec3(0.4, 0.0, 0.0);
+  points[2] -= Vec3(0.8, 0.0, 0.0); // doubled back
+  points.emplace_back(0.0, 1.0, 0.0);
+  points.emplace_back(0.0, -1.0, 0.0);
+  Edges edges = RunOf(Line(11));
+  edges.push_back({ 0, 11 });
+  edges.push_back({ 0, 12 });
+  EXPECT_EQ(JoinEdges(edges, points, { 60.0, 0.0, {}, false }).Curves.size(), 5U);
+  EXPECT_EQ(JoinEdges(edges, points, { 60.0, 0.0, {}, true }).Curves.size(), 3U);
+}
+
 TEST(Curves, AreSplitWhereTheirSortChanges)
 {
   const CurveNetwork network =
