@@ -12,7 +12,7 @@ namespace
 {
 constexpr Index MostTriangles = 4;
 constexpr Index TimesAsMany = 50;
-constexpr double TimesAsLarge = 2.0;
+constexpr double TimesAsLarge = 4.0; // by edges twice as long, as dents have them
 
 /// A real small face folds about as much to all sides; a tilted triangle lies at one.
 constexpr double LeastToMost = 0.75;

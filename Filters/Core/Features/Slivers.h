@@ -15,7 +15,7 @@ namespace arris
 ///
 /// A sliver has at most four triangles. It belongs to the neighbour that it folds least against (by
 /// the mean angle of their common border), if that has fifty times as many triangles, on average at
-/// least half as large, and it folds against another neighbour by a third more at least. With
+/// least a quarter as large, and it folds against another neighbour by a third more at least. With
 /// nothing but this neighbour around it, it belongs there as well. Slivers that lie together are
 /// looked at as if the others were not there. A mesh of few large triangles, such as a CAD
 /// tessellation, has no slivers.

@@ -134,6 +134,27 @@ TEST(Slivers, AreNotWhatFoldsAlikeToAllSides)
   EXPECT_EQ(plate.Edges.size(), Columns + 2U);
 }
 
+TEST(Slivers, MayHaveEdgesTwiceAsLong)
+{
+  Plate plate;
+  const Index triangle = plate.BesideLine();
+  plate.MarkAround(triangle, 40.0);
+  const Triangle& corners = plate.Surface.Triangles[triangle];
+  const Vec3 middle = Corners(plate.Surface, triangle).Centroid();
+  for (const Index v : corners)
+  {
+    plate.Surface.Points[v] = middle + 1.9 * (plate.Surface.Points[v] - middle);
+  }
+  EXPECT_TRUE(plate.Drop());
+  Plate larger;
+  larger.MarkAround(triangle, 40.0);
+  for (const Index v : corners)
+  {
+    larger.Surface.Points[v] = middle + 2.2 * (larger.Surface.Points[v] - middle);
+  }
+  EXPECT_FALSE(larger.Drop());
+}
+
 TEST(Slivers, AreNotFoundOnCoarseMeshes)
 {
   const Mesh box = Box(1, 1, 1);
