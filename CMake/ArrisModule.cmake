@@ -43,9 +43,11 @@ set(sources
   Filters/Core/Features/FeatureEdges.cxx
   Filters/Core/Features/FeatureExtraction.cxx
   Filters/Core/Features/FeatureSelection.cxx
+  Filters/Core/Features/FoldAlong.cxx
   Filters/Core/Features/Folds.cxx
   Filters/Core/Features/Gaps.cxx
   Filters/Core/Features/Hysteresis.cxx
+  Filters/Core/Features/NearCorners.cxx
   Filters/Core/Features/Noise.cxx
   Filters/Core/Features/Resampling.cxx
   Filters/Core/Features/Slivers.cxx

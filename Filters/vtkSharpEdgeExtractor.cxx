@@ -22,6 +22,8 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkSharpEdgeExtractor);
 
 namespace
@@ -74,14 +76,16 @@ std::string ReadMesh(
   return problem;
 }
 
-/// The vertices where vtkSharpEdgeReconstruction put the edges, if that is where the mesh is from.
+/// The vertices where vtkSharpEdgeReconstruction put the edges, if that is where the mesh is from
+/// and it put any: a mesh that it left as it was may be sharp all the same.
 arris::Flags SkeletonOf(vtkPolyData* mesh)
 {
   std::vector<double> roles;
   const std::string problem =
     arris::ReadPointValues(mesh->GetPointData()->GetArray(arris::array::SkeletonRole),
       arris::array::SkeletonRole, mesh, roles);
-  return problem.empty() ? arris::NonZero(roles) : arris::Flags();
+  const bool any = std::any_of(roles.begin(), roles.end(), [](double role) { return role != 0.0; });
+  return problem.empty() && any ? arris::NonZero(roles) : arris::Flags();
 }
 }
 
@@ -158,13 +162,16 @@ void vtkSharpEdgeExtractor::FillCriteria(
     ? this->ContinuationAngle
     : arris::DefaultContinuation * this->FeatureAngle;
   criteria.Band = { this->FeatureAngle, continuation, this->MaximumAngle, this->CornerAngle };
+  criteria.CornerReach = arris::CornerReach * averageEdgeLength;
   criteria.NoiseFactor = this->NoiseFactor;
   criteria.Boundary = this->BoundaryEdges;
   criteria.NonManifold = this->NonManifoldEdges;
   criteria.GapLength =
     this->GapLength < 0.0 ? arris::DefaultGap * averageEdgeLength : this->GapLength;
+  criteria.FoldedGapLength = arris::FoldedGap * criteria.GapLength;
   criteria.TailLength =
     this->TailLength < 0.0 ? arris::DefaultTail * averageEdgeLength : this->TailLength;
+  criteria.UnlikelyLength = arris::UnlikelyTail * averageEdgeLength;
   criteria.MinimumLength = this->MinimumLength;
 }
 
@@ -192,7 +199,6 @@ int vtkSharpEdgeExtractor::RequestData(
   arris::ExtractionParameters parameters;
   this->FillCriteria(surface.AverageEdgeLength, parameters.Criteria);
   parameters.Criteria.Likely = SkeletonOf(output);
-  parameters.CornerReach = arris::CornerReach * surface.AverageEdgeLength;
   parameters.FitShapes = this->FitPrimitives;
   parameters.FitTolerance = this->FitTolerance;
   const arris::Mesh& mesh = surface.Triangulation;

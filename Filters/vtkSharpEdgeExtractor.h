@@ -12,12 +12,14 @@
  *   ContinuationAngle that go on where a feature would end, so that edges which fade into flat end
  *   where they fade. In a noisy neighbourhood (see NoiseFactor) the normals are means;
  * - the boundary of the mesh, and the edges where three or more triangles meet, if wanted;
- * - what closes gaps up to GapLength; but no tails shorter than TailLength, nor what bounds a face
- *   of at most four triangles that lies at one of fifty times as many, as large ones.
+ * - what closes gaps up to GapLength, and up to five times that where the surface as a whole folds
+ *   between; but no tails shorter than TailLength, nor what bounds a face of at most four triangles
+ *   that lies at one of fifty times as many, of about their size.
  *
  * Input: any polygonal data: the output of vtkSharpEdgeReconstruction, whose `SkeletonRole` is used
- * (an edge along the skeleton need only fold by more than ContinuationAngle), a CAD tessellation,
- * an STL soup (see MergeTolerance), with boundaries and non-manifold edges.
+ * (an edge along the skeleton need only fold by more than ContinuationAngle; what ends freely away
+ * from it must be ten average edge lengths long), a CAD tessellation, an STL soup (see
+ * MergeTolerance), with boundaries and non-manifold edges.
  *
  * Output 0: the curves as polylines over the mesh's own points (but see ResampleStep), with these
  * points' arrays; each curve has points of its own; a closed one names its first point again at the
@@ -31,11 +33,13 @@
  * -1 between two of them).
  *
  * Output 1: the corners as vertices: where other than two feature edges meet, where a curve turns
- * by more than CornerAngle or changes from one of the kinds folded, boundary and non-manifold to
- * another; and tips such as the apex of a cone. Their points' arrays, and `Valence` (int: how many
- * curves end there, 0 for a tip), `CurveIds` (int, as many components as the largest valence, -1
- * beyond a corner's own), `CornerKind` (unsigned char: 0 convex, 1 concave, 2 saddle, 3 none, for
- * corners without folded edges), `Tip` (unsigned char), `MeshPointId` (vtkIdType).
+ * by more than CornerAngle (unless it turns back within three edges, of a finely cut curve) or
+ * changes from one of the kinds folded, boundary and non-manifold to another; and tips such as the
+ * apex of a cone. Two that are less than a tenth of the edges of fine curves apart are one, to which
+ * the curves of both go. Their points' arrays, and `Valence` (int: how many curves end there, 0 for
+ * a tip), `CurveIds` (int, as many components as the largest valence, -1 beyond a corner's own),
+ * `CornerKind` (unsigned char: 0 convex, 1 concave, 2 saddle, 3 none, for corners without folded
+ * edges), `Tip` (unsigned char), `MeshPointId` (vtkIdType).
  *
  * Output 2: the mesh with the cell array `SurfaceId` (int): the smooth face that the curves bound,
  * numbered from 0 by descending area; -1 for cells without area, vertices and lines.
@@ -130,14 +134,16 @@ public:
 
   ///@{
   /// A free end is carried on along the mesh to a feature ahead of it that is no farther away, as a
-  /// length; 0 closes no gaps. Default: -1, negative for one average edge length.
+  /// length; to one straight ahead that is up to five times as far, where the surface folds by more
+  /// than ContinuationAngle between them, seen from as far to both sides. 0 closes no gaps.
+  /// Default: -1, negative for one average edge length.
   vtkSetMacro(GapLength, double);
   vtkGetMacro(GapLength, double);
   ///@}
 
   ///@{
-  /// Curves with a free end that are shorter than this are no features, as a length; 0 keeps them.
-  /// Default: -1, negative for two average edge lengths.
+  /// What ends freely and is shorter than this, up to where it turns or other features meet it, is
+  /// no feature, as a length; 0 keeps it. Default: -1, negative for two average edge lengths.
   vtkSetMacro(TailLength, double);
   vtkGetMacro(TailLength, double);
   ///@}

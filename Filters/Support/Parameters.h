@@ -44,6 +44,13 @@ constexpr double DefaultNoiseFactor = 30.0;
 constexpr double DefaultGap = 1.0;
 constexpr double DefaultTail = 2.0;
 
+/// Where the surface still folds between, gaps of so many times the length are closed.
+constexpr double FoldedGap = 5.0;
+
+/// Where a mesh has been recovered, what ends freely away from all edges that were is cut up to
+/// this, in average edge lengths.
+constexpr double UnlikelyTail = 10.0;
+
 /// Points on open edges that are nearer than this are one, as a part of the diagonal of the mesh's
 /// bounding box: ten times what single precision tells apart.
 constexpr double DefaultMergeTolerance = 1e-6;

@@ -10,10 +10,14 @@ namespace arris
 {
 namespace
 {
-/// The surfaces to the left and right of who walks from `a` to `b`.
-std::array<Index, 2> SurfacesBeside(
-  const FeatureEdge& edge, Index a, const std::vector<Index>& surfaceIds)
+/// The surfaces to the left and right of who walks along a curve: at its middle, as it may have its
+/// first or last edge in common with others (see MergeNearCorners).
+std::array<Index, 2> SurfacesBeside(const Curve& curve, const std::vector<FeatureEdge>& features,
+  const std::vector<Index>& surfaceIds)
 {
+  const std::size_t middle = (curve.size() - 2) / 2;
+  const Index a = curve[middle];
+  const FeatureEdge& edge = *FindFeature(features, a, curve[middle + 1]);
   const Index left = edge.Left == NoIndex ? NoIndex : surfaceIds[edge.Left];
   const Index right = edge.Right == NoIndex ? NoIndex : surfaceIds[edge.Right];
   return a == edge.A ? std::array{ left, right } : std::array{ right, left };
@@ -23,8 +27,7 @@ std::array<Index, 2> SurfacesBeside(
 bool RunsWell(const Curve& curve, const std::vector<FeatureEdge>& features,
   const std::vector<Index>& surfaceIds)
 {
-  const FeatureEdge& edge = *FindFeature(features, curve[0], curve[1]);
-  const auto [left, right] = SurfacesBeside(edge, curve[0], surfaceIds);
+  const auto [left, right] = SurfacesBeside(curve, features, surfaceIds);
   if (left == right)
   {
     return IsClosed(curve) || curve.front() < curve.back();
@@ -64,7 +67,7 @@ CurveProperties DescribeCurve(const Curve& curve, const std::vector<FeatureEdge>
   const std::vector<Index>& surfaceIds, const std::vector<Vec3>& points)
 {
   const FeatureEdge& first = *FindFeature(sortedFeatures, curve[0], curve[1]);
-  const auto [left, right] = SurfacesBeside(first, curve[0], surfaceIds);
+  const auto [left, right] = SurfacesBeside(curve, sortedFeatures, surfaceIds);
   CurveProperties properties{ 0.0, 0.0, first.DihedralAngle, first.DihedralAngle, first.Kind,
     IsClosed(curve), left, right };
   double signedSum = 0.0;

@@ -4,6 +4,7 @@
 #include "FeatureExtraction.h"
 
 #include "CurveProperties.h"
+#include "NearCorners.h"
 #include "Slivers.h"
 #include "Tails.h"
 
@@ -39,13 +40,13 @@ bool ExtractFeatures(const Mesh& mesh, const Connectivity& connectivity,
   features.Faces = FindSurfaces(mesh, connectivity, features.Edges);
   while (DropSlivers(mesh, features.Faces, features.Edges)) // each time there are fewer edges
   {
-    const FeatureCriteria& criteria = parameters.Criteria;
-    CutTails(mesh.Points, connectivity.OnBoundary, criteria.TailLength, criteria.MinimumLength,
-      features.Edges);
+    CutTails(mesh.Points, connectivity.OnBoundary, parameters.Criteria, features.Edges);
     features.Faces = FindSurfaces(mesh, connectivity, features.Edges);
   }
   features.Network = JoinEdges(EndsOf(features.Edges), mesh.Points,
-    { parameters.Criteria.Band.Turn, parameters.CornerReach, SortsOf(features.Edges) });
+    { parameters.Criteria.Band.Turn, parameters.Criteria.CornerReach, SortsOf(features.Edges),
+      true });
+  MergeNearCorners(mesh.Points, features.Network);
   OrientCurves(features.Edges, features.Faces.Ids, features.Network.Curves);
   if (!FindFeatureCorners(mesh, connectivity, features.Network, features.Edges,
         parameters.Criteria.Band.Seed, monitor.Part(Selected, Cornered), features.Corners))

@@ -6,7 +6,8 @@
 ///
 ///  1. FeatureSelection: the mesh edges that are features.
 ///  2. Surfaces: the smooth faces between them; Slivers: those that are none.
-///  3. Curves, CurveProperties: the edges joined, split at corners, and which way they run.
+///  3. Curves, NearCorners, CurveProperties: the edges joined, split at corners, and which way they
+///  run.
 ///  4. FeatureCorners, Tips: where curves meet, and what is sharp without a curve.
 ///  5. Fits: the shapes of the faces.
 
@@ -22,8 +23,7 @@ namespace arris
 {
 struct ExtractionParameters
 {
-  FeatureCriteria Criteria; ///< curves are split where they turn by more than its Band.Turn
-  double CornerReach; ///< see CurveSplits
+  FeatureCriteria Criteria;
   bool FitShapes;
   double FitTolerance; ///< see FitFaces
 };

@@ -29,8 +29,9 @@ bool SelectFeatures(const Mesh& mesh, const Connectivity& connectivity,
   edges = ChooseEdges(candidates, angles, mesh.Points, criteria.Band, criteria.Boundary,
     criteria.NonManifold, criteria.Likely);
   CloseGaps(mesh, connectivity, folds, criteria.GapLength, edges);
-  CutTails(
-    mesh.Points, connectivity.OnBoundary, criteria.TailLength, criteria.MinimumLength, edges);
+  CutTails(mesh.Points, connectivity.OnBoundary, criteria, edges);
+  CloseFoldedGaps(
+    mesh, connectivity, folds, criteria.FoldedGapLength, criteria.Band.Continuation, edges);
   return true;
 }
 }

@@ -8,28 +8,15 @@
 ///  edges.
 ///  2. QuietAngles: what of their angles is noise.
 ///  3. ChooseEdges: above the upper angle, or above the lower one and going on from there.
-///  4. CloseGaps, then CutTails.
+///  4. CloseGaps, CutTails, CloseFoldedGaps.
 
 #ifndef arris_Features_FeatureSelection_h
 #define arris_Features_FeatureSelection_h
 
-#include "Hysteresis.h"
+#include "FeatureCriteria.h"
 
 namespace arris
 {
-/// What is a feature. Angles in degrees, lengths in the mesh's unit; 0 turns a length off.
-struct FeatureCriteria
-{
-  AngleBand Band;
-  double NoiseFactor; ///< see QuietAngles
-  bool Boundary;
-  bool NonManifold;
-  double GapLength;
-  double TailLength;
-  double MinimumLength;
-  Flags Likely; ///< vertices where features are expected; may be empty
-};
-
 /// Finds the feature edges of a mesh, sorted by A, then B. False if the monitor stopped it.
 ARRISFILTERS_EXPORT bool SelectFeatures(const Mesh& mesh, const Connectivity& connectivity,
   const FeatureCriteria& criteria, const Monitor& monitor, std::vector<FeatureEdge>& edges);

@@ -3,7 +3,10 @@
 
 #include "Gaps.h"
 
+#include "FoldAlong.h"
+
 #include "Core/EdgeGraph.h"
+#include "Core/Geometry.h"
 
 #include <algorithm>
 #include <map>
@@ -15,17 +18,28 @@ namespace arris
 {
 namespace
 {
-/// The cosine of the angle to either side within which something is ahead of a free end.
-constexpr double Ahead = 0.5;
+/// Cosines of the angles to either side of a free end's direction.
+struct Cone
+{
+  double Way; ///< within which the way there must stay
+  double Target; ///< within which a feature must be
+};
+constexpr Cone Near = { 0.5, 0.5 };
+
+/// Farther away a feature must be straight ahead, of a curve that has come over so many edges; the
+/// way there may make a detour.
+constexpr Cone Far = { 0.0, 0.866 };
+constexpr int EdgesBefore = 3;
 
 /// The shortest way from free ends along mesh edges to what is ahead of them.
 class Pathfinder
 {
 public:
-  Pathfinder(const Mesh& mesh, const Connectivity& connectivity, double reach)
+  Pathfinder(const Mesh& mesh, const Connectivity& connectivity, double reach, const Cone& cone)
     : Surface(mesh)
     , Adjacency(connectivity)
     , Reach(reach)
+    , Cosines(cone)
   {
   }
 
@@ -55,15 +69,18 @@ public:
       }
       if (stop.Vertex != end && network.count(stop.Vertex) > 0)
       {
-        return this->WayBack(stop.Vertex, reached);
+        if (this->IsWithin(this->Cosines.Target, end, direction, stop.Vertex))
+        {
+          return this->WayBack(stop.Vertex, reached);
+        }
+        continue; // no way leads through another feature
       }
       for (const Index next : this->Adjacency.NeighborsOfVertex[stop.Vertex])
       {
-        const Vec3 from = this->Surface.Points[next] - this->Surface.Points[end];
         const double way =
           stop.Way + (this->Surface.Points[next] - this->Surface.Points[stop.Vertex]).norm();
         const auto known = reached.find(next);
-        if (way <= this->Reach && from.dot(direction) >= Ahead * from.norm() &&
+        if (way <= this->Reach && this->IsWithin(this->Cosines.Way, end, direction, next) &&
           (known == reached.end() || way < known->second.first))
         {
           reached[next] = { way, stop.Vertex };
@@ -75,6 +92,12 @@ public:
   }
 
 private:
+  bool IsWithin(double cosine, Index end, const Vec3& direction, Index vertex) const
+  {
+    const Vec3 from = this->Surface.Points[vertex] - this->Surface.Points[end];
+    return from.dot(direction) >= cosine * from.norm();
+  }
+
   static std::vector<Index> WayBack(
     Index from, const std::map<Index, std::pair<double, Index>>& reached)
   {
@@ -90,16 +113,28 @@ private:
   const Mesh& Surface;
   const Connectivity& Adjacency;
   const double Reach;
+  const Cone Cosines;
 };
+
+/// The direction of a curve at its free end, over some edges if there are so many.
+Vec3 DirectionAt(const EdgeGraph& graph, const std::vector<Vec3>& points, Index end, int edges)
+{
+  Index from = end;
+  Index node = graph.Neighbor(end, 0);
+  for (int i = 1; i < edges && graph.Valence(node) == 2; ++i)
+  {
+    const Index next = graph.Neighbor(node, graph.Neighbor(node, 0) == from ? 1 : 0);
+    from = node;
+    node = next;
+  }
+  return DirectionOf(points[graph.MeshVertex(end)] - points[graph.MeshVertex(node)]);
 }
 
-void CloseGaps(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds,
-  double length, std::vector<FeatureEdge>& edges)
+/// Lets free ends go on the ways that are found for them and accepted.
+template <typename Accept>
+void CarryOn(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds,
+  const Pathfinder& paths, int edgesBefore, Accept&& accept, std::vector<FeatureEdge>& edges)
 {
-  if (length <= 0.0)
-  {
-    return;
-  }
   const EdgeGraph graph(EndsOf(edges));
   std::unordered_set<Index> network;
   for (Index node = 0; node < graph.size(); ++node)
@@ -107,7 +142,6 @@ void CloseGaps(const Mesh& mesh, const Connectivity& connectivity, const Folds& 
     network.insert(graph.MeshVertex(node));
   }
   // All ends look for a way before any goes it, so that none is before the others.
-  const Pathfinder paths(mesh, connectivity, length);
   std::set<std::pair<Index, Index>> steps;
   for (Index node = 0; node < graph.size(); ++node)
   {
@@ -116,10 +150,9 @@ void CloseGaps(const Mesh& mesh, const Connectivity& connectivity, const Folds& 
     {
       continue;
     }
-    const Vec3 direction =
-      (mesh.Points[end] - mesh.Points[graph.MeshVertex(graph.Neighbor(node, 0))]).normalized();
+    const Vec3 direction = DirectionAt(graph, mesh.Points, node, edgesBefore);
     const std::vector<Index> way = paths.Find(end, direction, network);
-    for (std::size_t i = 0; i + 1 < way.size(); ++i)
+    for (std::size_t i = 0; i + 1 < way.size() && (i > 0 || accept(way)); ++i)
     {
       steps.insert(std::minmax(way[i], way[i + 1]));
     }
@@ -129,5 +162,32 @@ void CloseGaps(const Mesh& mesh, const Connectivity& connectivity, const Folds& 
     edges.push_back(MakeFeatureBetween(mesh, connectivity, folds, a, b));
   }
   SortEdges(edges);
+}
+}
+
+void CloseGaps(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds,
+  double length, std::vector<FeatureEdge>& edges)
+{
+  if (length > 0.0)
+  {
+    const Pathfinder paths(mesh, connectivity, length, Near);
+    CarryOn(
+      mesh, connectivity, folds, paths, 1, [](const auto&) { return true; }, edges);
+  }
+}
+
+void CloseFoldedGaps(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds,
+  double length, double angle, std::vector<FeatureEdge>& edges)
+{
+  if (length > 0.0)
+  {
+    const Pathfinder paths(mesh, connectivity, length, Far);
+    const std::vector<FeatureEdge> fences = edges;
+    CarryOn(
+      mesh, connectivity, folds, paths, EdgesBefore,
+      [&](const std::vector<Index>& way)
+      { return FoldsAlong(mesh, connectivity, fences, way, angle); },
+      edges);
+  }
 }
 }

@@ -15,6 +15,12 @@ namespace arris
 /// 60 degrees) and the way there no longer than `length`. Edges stay sorted.
 ARRISFILTERS_EXPORT void CloseGaps(const Mesh& mesh, const Connectivity& connectivity,
   const Folds& folds, double length, std::vector<FeatureEdge>& edges);
+
+/// Likewise to a feature farther away, straight ahead (within 30 degrees of the last three edges),
+/// where the surface folds between by more than `angle` degrees, whatever its single triangles do:
+/// see FoldsAlong.
+ARRISFILTERS_EXPORT void CloseFoldedGaps(const Mesh& mesh, const Connectivity& connectivity,
+  const Folds& folds, double length, double angle, std::vector<FeatureEdge>& edges);
 }
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "Core/EdgeGraph.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -33,6 +34,23 @@ public:
     this->Chosen[edge] = 1;
     ++this->ChosenAt[this->Graph.NodeOf(this->Candidates[edge].A)];
     ++this->ChosenAt[this->Graph.NodeOf(this->Candidates[edge].B)];
+  }
+
+  /// Chooses edges but for those between two vertices that chosen ones go through already: near a
+  /// corner these lead across from one feature to another.
+  void ChooseWhereNeeded(std::vector<std::size_t> edges)
+  {
+    const auto isPassed = [&](Index vertex)
+    { return this->ChosenAt[this->Graph.NodeOf(vertex)] >= 2; };
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                  [&](std::size_t edge) {
+                    return isPassed(this->Candidates[edge].A) && isPassed(this->Candidates[edge].B);
+                  }),
+      edges.end());
+    for (const std::size_t edge : edges)
+    {
+      this->Choose(edge);
+    }
   }
 
   /// Carries all free ends on by an edge at a time, so that none is before the others.
@@ -121,21 +139,24 @@ std::vector<FeatureEdge> ChooseEdges(const std::vector<FeatureEdge>& candidates,
   bool boundary, bool nonManifold, const Flags& likely)
 {
   Chooser chooser(candidates, angles, points, band);
+  std::vector<std::size_t> expected; // where features are, but below the upper angle
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     const FeatureEdge& edge = candidates[i];
-    const bool expected = !likely.empty() && likely[edge.A] && likely[edge.B];
-    const double least = expected ? band.Continuation : band.Seed;
-    const bool isFeature = edge.Kind == EdgeKind::Boundary
-      ? boundary
-      : (edge.Kind == EdgeKind::NonManifold
-            ? nonManifold
-            : angles[i] > least && edge.DihedralAngle <= band.Largest);
-    if (isFeature)
+    const bool isFold = IsFold(edge.Kind) && edge.DihedralAngle <= band.Largest;
+    if (edge.Kind == EdgeKind::Boundary      ? boundary
+        : edge.Kind == EdgeKind::NonManifold ? nonManifold
+                                             : isFold && angles[i] > band.Seed)
     {
       chooser.Choose(i);
     }
+    else if (isFold && !likely.empty() && likely[edge.A] && likely[edge.B] &&
+      angles[i] > band.Continuation)
+    {
+      expected.push_back(i);
+    }
   }
+  chooser.ChooseWhereNeeded(expected);
   chooser.ContinueFromEnds();
   return chooser.Result();
 }

@@ -35,6 +35,21 @@ private:
   std::vector<Index> Vertices;
 };
 
+/// Whether features are expected at half of a curve's edges or more.
+bool IsLikely(const Curve& curve, const Flags& likely)
+{
+  if (likely.empty())
+  {
+    return true;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+  {
+    count += likely[curve[i]] && likely[curve[i + 1]] ? 1 : 0;
+  }
+  return 2 * count >= curve.size() - 1;
+}
+
 /// Drops the folds of the curves that a test says; whether there were any.
 template <typename IsDropped>
 bool Drop(const CurveNetwork& network, IsDropped&& isDropped, std::vector<FeatureEdge>& edges)
@@ -73,27 +88,35 @@ bool Drop(const CurveNetwork& network, IsDropped&& isDropped, std::vector<Featur
 }
 }
 
-void CutTails(const std::vector<Vec3>& points, const Flags& onBoundary, double tailLength,
-  double minimumLength, std::vector<FeatureEdge>& edges)
+void CutTails(const std::vector<Vec3>& points, const Flags& onBoundary,
+  const FeatureCriteria& criteria, std::vector<FeatureEdge>& edges)
 {
   // Each round drops an edge or is the last, and what a round leaves is joined anew: where a tail
   // is gone, two curves are one, which may be long enough.
-  bool again = tailLength > 0.0;
+  const double unlikely = std::max(criteria.TailLength, criteria.UnlikelyLength);
+  bool again = criteria.TailLength > 0.0;
   while (again)
   {
-    const CurveNetwork network = JoinEdges(EndsOf(edges), points);
+    const CurveNetwork network =
+      JoinEdges(EndsOf(edges), points, { criteria.Band.Turn, criteria.CornerReach, {}, true });
     const FreeEnds ends(network, onBoundary);
     again = Drop(
       network,
-      [&](const Curve& curve) { return ends.Has(curve) && LengthOf(curve, points) < tailLength; },
+      [&](const Curve& curve)
+      {
+        return ends.Has(curve) &&
+          LengthOf(curve, points) <
+          (IsLikely(curve, criteria.Likely) ? criteria.TailLength : unlikely);
+      },
       edges);
   }
-  again = minimumLength > 0.0;
+  again = criteria.MinimumLength > 0.0;
   while (again)
   {
     const CurveNetwork network = JoinEdges(EndsOf(edges), points);
     again = Drop(
-      network, [&](const Curve& curve) { return LengthOf(curve, points) < minimumLength; }, edges);
+      network, [&](const Curve& curve) { return LengthOf(curve, points) < criteria.MinimumLength; },
+      edges);
   }
 }
 }

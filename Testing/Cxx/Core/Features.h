@@ -24,8 +24,11 @@ inline FeatureCriteria PlainCriteria(double angle)
   criteria.NoiseFactor = 0.0;
   criteria.Boundary = false;
   criteria.NonManifold = true;
+  criteria.CornerReach = 0.0;
   criteria.GapLength = 0.0;
+  criteria.FoldedGapLength = 0.0;
   criteria.TailLength = 0.0;
+  criteria.UnlikelyLength = 0.0;
   criteria.MinimumLength = 0.0;
   return criteria;
 }
