@@ -9,6 +9,8 @@
 
 #include "Labelling.h"
 
+#include "ArrisFiltersModule.h" // for the export macro
+
 namespace arris
 {
 struct Apex
@@ -20,7 +22,8 @@ struct Apex
 
 /// Finds the tips, and gives the vertices of each one label of its own, without sides, so that no
 /// ridge runs around a tip.
-std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region, Labelling& labelling);
+ARRISFILTERS_EXPORT std::vector<Apex> FindApexes(
+  const Surroundings& around, const Flags& region, Labelling& labelling);
 }
 
 #endif

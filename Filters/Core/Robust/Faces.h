@@ -22,7 +22,8 @@ struct Faces
   std::vector<double> Areas;
   std::vector<Vec3> VertexNormals; ///< unit, by area; zero where nothing is known
 
-  Faces(const Mesh& mesh, const Connectivity& connectivity, double averageEdgeLength);
+  ARRISFILTERS_EXPORT Faces(
+    const Mesh& mesh, const Connectivity& connectivity, double averageEdgeLength);
 };
 
 /// The local scale h of each vertex: the mean edge length around it, smoothed over the mesh, so

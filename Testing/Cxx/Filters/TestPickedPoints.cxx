@@ -8,6 +8,7 @@
 #include <vtkPlaneSource.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
+#include <vtkTrivialProducer.h>
 
 #include <algorithm>
 #include <limits>
@@ -325,6 +326,30 @@ TEST_F(PickedPoints, ByCell)
   }
   this->ExpectSharp(one,
     Selected(vtkSelectionNode::LOCATIONS, vtkSelectionNode::CELL, List<vtkDoubleArray>(middle, 3)));
+}
+
+TEST_F(PickedPoints, ByConnectionsUntilTheyAreRemoved)
+{
+  vtkNew<vtkUSSODFilter> filter;
+  const auto automatic = Execute(filter, this->Mesh);
+  const auto producerOf = [](vtkIdType v)
+  {
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(Selected(
+      vtkSelectionNode::INDICES, vtkSelectionNode::POINT, List({ static_cast<double>(v) })));
+    return vtkSmartPointer<vtkTrivialProducer>(producer);
+  };
+  const auto sharp = producerOf(this->Sharp);
+  const auto smooth = producerOf(this->Smooth);
+  filter->SetPickedPointsSharpConnection(sharp->GetOutputPort());
+  filter->SetPickedPointsSmoothConnection(smooth->GetOutputPort());
+  vtkNew<vtkUSSODFilter> byPosition;
+  byPosition->SetPickedPointsSharp(this->At({ this->Sharp }));
+  byPosition->SetPickedPointsSmooth(this->At({ this->Smooth }));
+  ExpectIdentical(Execute(filter, this->Mesh), Execute(byPosition, this->Mesh));
+  filter->RemovePickedPointsSharpInput();
+  filter->RemovePickedPointsSmoothInput();
+  ExpectIdentical(Execute(filter, this->Mesh), automatic);
 }
 
 TEST_F(PickedPoints, NoneLeaveTheParametersAsTheyAre)

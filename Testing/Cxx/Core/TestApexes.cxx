@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) The Arris developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Core/Robust/Apexes.h"
+
+#include "Meshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace arris;
+using namespace arris::testing;
+
+namespace
+{
+/// Rings of vertices one unit apart around vertex 0; vertex 1 + (r - 1) * sectors + i is on ring r.
+template <typename Height>
+Mesh Rings(Index rings, Index sectors, Height&& height)
+{
+  Mesh mesh;
+  mesh.Points.emplace_back(0.0, 0.0, height(0.0));
+  for (Index r = 1; r <= rings; ++r)
+  {
+    for (Index i = 0; i < sectors; ++i)
+    {
+      const double angle = 2.0 * Pi * i / sectors;
+      mesh.Points.emplace_back(r * std::cos(angle), r * std::sin(angle), height(r));
+    }
+  }
+  for (Index i = 0; i < sectors; ++i)
+  {
+    const Index next = (i + 1) % sectors;
+    mesh.Triangles.push_back({ 0, 1 + i, 1 + next });
+    for (Index r = 1; r < rings; ++r)
+    {
+      const Index inner = 1 + (r - 1) * sectors;
+      const Index outer = inner + sectors;
+      AddQuad(mesh, inner + i, outer + i, outer + next, inner + next);
+    }
+  }
+  return mesh;
+}
+
+/// A cone with its tip at the origin, which the vertex that should be there has been cut off from.
+Mesh BluntCone(Index rings, Index sectors, double slope)
+{
+  return Rings(rings, sectors, [slope](double r) { return -slope * std::max(r, 0.7); });
+}
+
+class Apexes : public ::testing::Test
+{
+protected:
+  /// The tips that there are if these vertices are damaged.
+  std::vector<Apex> Find(const Mesh& mesh, const std::vector<Index>& damaged)
+  {
+    const Connectivity connectivity(mesh);
+    const Faces faces(mesh, connectivity, 1.0);
+    const std::vector<double> scales(mesh.Points.size(), 1.0);
+    const std::vector<double> flatness(mesh.Points.size(), 0.0);
+    Flags region(mesh.Points.size(), 0);
+    this->Found.Labels.assign(mesh.Points.size(), 0);
+    this->Found.SidesOf.assign(mesh.Points.size(), NoIndex);
+    for (const Index v : damaged)
+    {
+      region[v] = 1;
+      this->Found.SidesOf[v] = static_cast<Index>(this->Found.Sides.size());
+      this->Found.Sides.emplace_back(1);
+    }
+    this->Found.FirstApexLabel = 5;
+    return FindApexes(
+      { mesh, connectivity, faces, scales, flatness, 0.0, {}, nullptr }, region, this->Found);
+  }
+
+  Labelling Found;
+};
+
+std::vector<Index> FirstVertices(Index count)
+{
+  std::vector<Index> vertices;
+  for (Index v = 0; v < count; ++v)
+  {
+    vertices.push_back(v);
+  }
+  return vertices;
+}
+
+constexpr Index Sectors = 12;
+const std::vector<Index> TipAndItsRing = FirstVertices(1 + Sectors);
+}
+
+TEST_F(Apexes, IsWhereThePlanesAroundMeet)
+{
+  const auto apexes = this->Find(BluntCone(6, Sectors, 1.0), TipAndItsRing);
+  ASSERT_EQ(apexes.size(), 1u);
+  EXPECT_LT(apexes[0].Tip.norm(), 1e-9); // all of its planes go through the origin
+  EXPECT_EQ(apexes[0].Vertex, 0);
+  EXPECT_EQ(apexes[0].Members.size(), TipAndItsRing.size());
+  for (const Index v : TipAndItsRing)
+  {
+    EXPECT_EQ(this->Found.Labels[v], 5);
+    EXPECT_TRUE(this->Found.Sides[this->Found.SidesOf[v]].empty());
+  }
+  EXPECT_EQ(this->Found.Labels.back(), 0) << "what is intact keeps its patch";
+}
+
+TEST_F(Apexes, IsNoneInADentOfANearlyFlatFace)
+{
+  EXPECT_TRUE(this->Find(BluntCone(6, Sectors, 0.2), TipAndItsRing).empty());
+}
+
+TEST_F(Apexes, IsNoneWhereThePlanesMissEachOther)
+{
+  const Mesh dome = Rings(6, Sectors, [](double r) { return -r * r / 10.0; });
+  EXPECT_TRUE(this->Find(dome, TipAndItsRing).empty());
+}
+
+TEST_F(Apexes, IsNoneBesideAnotherPartOfTheRegion)
+{
+  std::vector<Index> damaged = TipAndItsRing;
+  damaged.push_back(1 + 3 * Sectors); // on the fourth ring
+  EXPECT_TRUE(this->Find(BluntCone(6, Sectors, 1.0), damaged).empty());
+}
+
+TEST_F(Apexes, IsNoneOnABoundary)
+{
+  EXPECT_TRUE(this->Find(BluntCone(6, Sectors, 1.0), { 1 + 5 * Sectors }).empty());
+}
+
+TEST_F(Apexes, IsNoneWhereTooLittleIsAround)
+{
+  EXPECT_TRUE(this->Find(BluntCone(2, 6, 1.0), { 0 }).empty());
+}
+
+TEST_F(Apexes, IsNoneInARegionThatIsLargerThanATips)
+{
+  constexpr Index TooMany = 17;
+  const Mesh cone = BluntCone(TooMany + 5, Sectors, 1.0);
+  EXPECT_TRUE(this->Find(cone, FirstVertices(1 + TooMany * Sectors)).empty());
+}
