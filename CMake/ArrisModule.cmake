@@ -74,6 +74,7 @@ set(sources
   Filters/Core/Robust/MeetingEdges.cxx
   Filters/Core/Robust/MeetSheets.cxx
   Filters/Core/Robust/Neighbourhoods.cxx
+  Filters/Core/Robust/Overturned.cxx
   Filters/Core/Robust/Patches.cxx
   Filters/Core/Robust/Placement.cxx
   Filters/Core/Robust/Region.cxx

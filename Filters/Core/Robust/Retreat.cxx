@@ -6,6 +6,7 @@
 #include "Core/Intersections.h"
 #include "Core/SortUnique.h"
 #include "Core/TriangleCrossing.h"
+#include "Overturned.h"
 
 #include <algorithm>
 #include <iterator>
@@ -14,7 +15,7 @@ namespace arris
 {
 namespace
 {
-/// A triangle under this quality is folded over, or as good as without area.
+/// A triangle under this quality is folded over against its face, or as good as without area.
 constexpr double FoldedQuality = 1e-4;
 
 /// How often a vertex is taken back a part of its way only; so there is an end to it.
@@ -44,6 +45,22 @@ public:
     std::vector<Index> suspects;
     std::copy_if(this->Labelled.begin(), this->Labelled.end(), std::back_inserter(suspects),
       [this](Index t) { return this->Moved(this->TheMesh.Triangles[t]); });
+    this->UndoCuts(std::move(suspects));
+  }
+
+  void TurnBack()
+  {
+    this->MayOverturn = false;
+    std::vector<Index> overturned, changed;
+    std::copy_if(this->Labelled.begin(), this->Labelled.end(), std::back_inserter(overturned),
+      [this](Index t) { return this->Overturned(t); });
+    this->UndoFolds(std::move(overturned), &changed);
+    this->UndoCuts(this->TrianglesAround(changed));
+  }
+
+private:
+  void UndoCuts(std::vector<Index> suspects)
+  {
     // Every round takes back at least one vertex for each pair, so there is an end to it.
     for (;;)
     {
@@ -63,7 +80,6 @@ public:
     }
   }
 
-private:
   bool Moved(Index v) const { return this->ThePlacement.PointOf(v) != this->TheMesh.Points[v]; }
 
   bool Moved(const Triangle& corners) const
@@ -87,14 +103,27 @@ private:
 
   bool Folded(Index t) const
   {
-    return this->Moved(this->TheMesh.Triangles[t]) && this->ThePlacement.Quality(t) < FoldedQuality;
+    return this->Moved(this->TheMesh.Triangles[t]) &&
+      (this->ThePlacement.Quality(t) < FoldedQuality ||
+        (!this->MayOverturn && this->Overturned(t)));
   }
 
+  bool Overturned(Index t) const
+  {
+    return IsOverturned(this->TheMesh, this->TheConnectivity, this->ThePlacement.AllPoints(), t);
+  }
+
+  /// Of the triangles that move with a vertex, and those behind them.
   int FoldedAround(Index v) const
   {
-    const IndexSpan around = this->TheConnectivity.TrianglesOfVertex[v];
-    return static_cast<int>(
-      std::count_if(around.begin(), around.end(), [this](Index t) { return this->Folded(t); }));
+    int folded = 0;
+    for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
+    {
+      const int opposite = Next(CornerOf(this->TheMesh.Triangles[t], v));
+      const Index beyond = this->TheConnectivity.AcrossEdge[t][opposite];
+      folded += (this->Folded(t) ? 1 : 0) + (beyond != NoIndex && this->Folded(beyond) ? 1 : 0);
+    }
+    return folded;
   }
 
   /// Adds what it has changed to `allChanged`.
@@ -240,6 +269,7 @@ private:
   const Mesh& TheMesh;
   const Connectivity& TheConnectivity;
   Placement& ThePlacement;
+  bool MayOverturn = true;
   std::vector<Index> Labelled;
   std::vector<int> StepsBack; // that each vertex has gone where patches cut each other
 };
@@ -248,5 +278,10 @@ private:
 void Retreat(const Mesh& mesh, const Connectivity& connectivity, Placement& placement)
 {
   Guard(mesh, connectivity, placement).Run();
+}
+
+void TurnBack(const Mesh& input, const Connectivity& connectivity, Placement& placement)
+{
+  Guard(input, connectivity, placement).TurnBack();
 }
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file Retreat.h
-/// The last guard: gives vertices back where the input had them until no triangle is folded over
-/// and none cuts another that did not before.
+/// The last guards: take vertices back toward where they were until no triangle is folded over, and
+/// none cuts another that did not before.
 
 #ifndef arris_Robust_Retreat_h
 #define arris_Robust_Retreat_h
@@ -12,7 +12,12 @@
 
 namespace arris
 {
+/// Toward `mesh`, which the pass has started from. Folded over is what faces against its own face.
 void Retreat(const Mesh& mesh, const Connectivity& connectivity, Placement& placement);
+
+/// After the last pass toward the `input`, where a triangle is overturned against that (see
+/// Overturned.h): one that lies on its neighbour may face as each of their faces does.
+void TurnBack(const Mesh& input, const Connectivity& connectivity, Placement& placement);
 }
 
 #endif

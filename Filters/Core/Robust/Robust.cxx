@@ -66,6 +66,7 @@ public:
     }
     for (int pass = 0; pass < RecoveryPasses && !(pass > 0 && this->IsMovedAllOver()); ++pass)
     {
+      this->IsLast = pass + 1 == RecoveryPasses;
       const double part = (1.0 - Smooth) / RecoveryPasses;
       if (!this->RunPass(this->TheMonitor.Part(Smooth + pass * part, Smooth + (pass + 1) * part)))
       {
@@ -336,6 +337,10 @@ private:
     LiftEars(mesh.Now, mesh.TheConnectivity, mesh.Scales, placement);
     const std::vector<Vec3> wanted = placement.AllPoints();
     Retreat(this->IsRough() ? mesh.Before : mesh.Now, mesh.TheConnectivity, placement);
+    if (this->IsLast || this->IsMovedAllOver())
+    {
+      TurnBack(mesh.Before, mesh.TheConnectivity, placement);
+    }
     for (std::size_t v = 0; v < mesh.Region.size(); ++v)
     {
       this->Result.Region[v] |= mesh.Region[v];
@@ -378,6 +383,7 @@ private:
 
   // Of the pass.
   Mesh Work; ///< what the passes before have made of the input, or of its smooth copy
+  bool IsLast = false;
   Flags Moved; ///< by the pass before
   std::vector<Turn> Turns;
   Flags Region;

@@ -6,6 +6,8 @@
 #include "Core/Geometry.h"
 #include "Core/SortUnique.h"
 
+#include "Overturned.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,7 +75,8 @@ private:
     std::vector<Index> bad;
     for (Index t : triangles)
     {
-      if (this->ThePlacement.LabelOf(t) != NoIndex && this->ThePlacement.Quality(t) < BadQuality)
+      if (this->ThePlacement.LabelOf(t) != NoIndex &&
+        (this->ThePlacement.Quality(t) < BadQuality || this->IsOver(t)))
       {
         bad.push_back(t);
       }
@@ -112,13 +115,19 @@ private:
     return triangles;
   }
 
-  /// What triangles are worth; those that are good enough count alike.
+  bool IsOver(Index t) const
+  {
+    return IsOverturned(this->TheMesh, this->TheConnectivity, this->ThePlacement.AllPoints(), t);
+  }
+
+  /// What triangles are worth; those that are good enough count alike, and to have one turned over
+  /// is worse than any shape.
   double Worth(IndexSpan triangles) const
   {
     double worth = 0.0;
     for (Index t : triangles)
     {
-      worth += std::min(this->ThePlacement.Quality(t), GoodEnough);
+      worth += std::min(this->ThePlacement.Quality(t), GoodEnough) - (this->IsOver(t) ? 1.0 : 0.0);
     }
     return worth;
   }
