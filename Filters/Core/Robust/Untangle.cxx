@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace arris
 {
@@ -21,7 +23,11 @@ constexpr double BadQuality = 0.01;
 /// Better than this a triangle need not become.
 constexpr double GoodEnough = 0.15;
 
-constexpr int Rounds = 20;
+/// A change that gains less is one of rounding.
+constexpr double LeastGain = 1e-6;
+
+/// What has not been mended in so many rounds will not be, and others make way for it all the time.
+constexpr int MostTries = 6;
 constexpr int RoundsAlone = 2;
 
 /// Vertices with more triangles than any sampling makes are not worked on: their fans come from
@@ -37,6 +43,7 @@ public:
     , TheConnectivity(connectivity)
     , Scales(scales)
     , ThePlacement(placement)
+    , Tries(mesh.Triangles.size(), 0)
   {
   }
 
@@ -50,10 +57,10 @@ public:
         suspects.push_back(t);
       }
     }
-    for (int round = 0; round < Rounds && !suspects.empty(); ++round)
+    for (int round = 0; !suspects.empty(); ++round)
     {
       this->Touched.clear();
-      std::vector<Index> bad = this->BadAmong(suspects);
+      const std::vector<Index> bad = this->TryAgain(this->BadAmong(suspects));
       // What single vertices could not mend in a few rounds may want room made by the ones around.
       const bool stuck = round >= RoundsAlone;
       for (Index v : stuck ? this->VerticesOf(this->TrianglesAround(this->VerticesOf(bad)))
@@ -70,6 +77,15 @@ public:
   }
 
 private:
+  /// Those of the triangles that have not been tried too often yet.
+  std::vector<Index> TryAgain(const std::vector<Index>& bad)
+  {
+    std::vector<Index> again;
+    std::copy_if(bad.begin(), bad.end(), std::back_inserter(again),
+      [this](Index t) { return this->Tries[t]++ < MostTries; });
+    return again;
+  }
+
   std::vector<Index> BadAmong(const std::vector<Index>& triangles) const
   {
     std::vector<Index> bad;
@@ -121,16 +137,30 @@ private:
   }
 
   /// What triangles are worth; those that are good enough count alike, and to have one turned over
-  /// is worse than any shape.
-  double Worth(IndexSpan triangles) const
+  /// is worse than any shape. What is worth no more than `least` is not looked at to its end.
+  double Worth(IndexSpan triangles, double least = -std::numeric_limits<double>::infinity()) const
   {
     double worth = 0.0;
+    double possible = this->MostWorth(triangles);
     for (Index t : triangles)
     {
-      worth += std::min(this->ThePlacement.Quality(t), GoodEnough) - (this->IsOver(t) ? 1.0 : 0.0);
+      const double quality = std::min(this->ThePlacement.Quality(t), GoodEnough);
+      worth += quality;
+      possible += quality - GoodEnough;
+      if (possible > least && this->IsOver(t))
+      {
+        worth -= 1.0;
+        possible -= 1.0;
+      }
+      if (possible <= least)
+      {
+        return possible;
+      }
     }
     return worth;
   }
+
+  static double MostWorth(IndexSpan triangles) { return GoodEnough * triangles.size(); }
 
   double Worth(const std::vector<Index>& triangles) const
   {
@@ -149,12 +179,17 @@ private:
     const Vec3 start = this->ThePlacement.PointOf(v);
     const IndexSpan around = this->TheConnectivity.TrianglesOfVertex[v];
     Vec3 best = start;
-    double bestWorth = this->Worth(around) + 1e-6;
+    double bestWorth = this->Worth(around) + LeastGain;
+    const double mostWorth = this->MostWorth(around);
     const auto attempt = [&](const Vec3& target)
     {
+      if (bestWorth > mostWorth - LeastGain)
+      {
+        return;
+      }
       const Vec3 point = this->ThePlacement.Held(v, target);
       this->ThePlacement.SetPoint(v, point);
-      const double worth = this->Worth(around);
+      const double worth = this->Worth(around, bestWorth);
       this->ThePlacement.SetPoint(v, start);
       if (worth > bestWorth)
       {
@@ -275,7 +310,7 @@ private:
       groups.push_back(this->Sector(v, own));
     }
     groups.push_back(this->Pocket(bad));
-    double bestGain = 1e-6;
+    double bestGain = LeastGain;
     Index bestLabel = NoIndex;
     const std::vector<Index>* bestGroup = nullptr;
     for (const std::vector<Index>& group : groups)
@@ -370,6 +405,7 @@ private:
   const Connectivity& TheConnectivity;
   const std::vector<double>& Scales;
   Placement& ThePlacement;
+  std::vector<int> Tries; // of each triangle
   std::vector<Index> Touched;
 };
 }
