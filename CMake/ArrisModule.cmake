@@ -64,6 +64,7 @@ set(sources
   Filters/Core/Robust/Creases.cxx
   Filters/Core/Robust/Denoised.cxx
   Filters/Core/Robust/Ears.cxx
+  Filters/Core/Robust/EdgeFlips.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/FineBends.cxx
   Filters/Core/Robust/GiveBack.cxx
@@ -103,6 +104,7 @@ set(sources
   Filters/Support/PointMerging.cxx
   Filters/Support/Polylines.cxx
   Filters/Support/PreviewMarks.cxx
+  Filters/Support/ReplaceTriangles.cxx
   Filters/Support/RobustMethod.cxx
   Filters/Support/Selections.cxx
   Filters/Support/Surface.cxx)

@@ -82,6 +82,7 @@ bool vtkSharpEdgeReconstruction::RecoverRobustly(vtkPolyData* input, const arris
     : arris::WindowRadius(this->Window, this->WindowRatio, surface.AverageEdgeLength);
   parameters.SharpAngle = this->PointsArePicked ? chosen.SharpAngle : this->SharpAngle;
   parameters.Denoise = this->Denoise;
+  parameters.AllowEdgeFlips = this->AllowEdgeFlips;
   if (!arris::RecoverByRobust(input, surface, parameters, monitor, output))
   {
     return false;
@@ -110,4 +111,5 @@ void vtkSharpEdgeReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << (this->Method == PAPER ? "Paper" : "Robust") << "\n";
   os << indent << "Denoise: " << (this->Denoise ? "On" : "Off") << "\n";
+  os << indent << "AllowEdgeFlips: " << (this->AllowEdgeFlips ? "On" : "Off") << "\n";
 }

@@ -96,6 +96,16 @@ public:
   vtkBooleanMacro(Denoise, bool);
   ///@}
 
+  ///@{
+  /// Whether edges inside the sharp region may be flipped (ROBUST) where the triangles of a face
+  /// have no room otherwise. Points and cells keep their numbers and arrays; cells of the region
+  /// may get other corners. Off, the default, keeps the connectivity. The field value EdgeFlips
+  /// tells how many were.
+  vtkSetMacro(AllowEdgeFlips, bool);
+  vtkGetMacro(AllowEdgeFlips, bool);
+  vtkBooleanMacro(AllowEdgeFlips, bool);
+  ///@}
+
 protected:
   vtkSharpEdgeReconstruction();
   ~vtkSharpEdgeReconstruction() override = default;
@@ -104,6 +114,7 @@ protected:
 
   int Method = ROBUST;
   bool Denoise = false;
+  bool AllowEdgeFlips = false;
 
 private:
   bool RecoverRobustly(vtkPolyData* input, const arris::Surface& surface,

@@ -110,6 +110,10 @@ void AddRecoveryOptions(CLI::App& command, RecoveryOptions& options)
       "Smooth faces of rough meshes (noise, segmentations) are\nmoved as well, not only their "
       "edges")
     ->group("Method");
+  command
+    .add_flag("--allow-flips", options.AllowFlips,
+      "Edges inside the sharp region may be flipped where\ntriangles have no room otherwise")
+    ->group("Method");
   command.callback(
     [&command, &options]
     {
@@ -121,6 +125,10 @@ void AddRecoveryOptions(CLI::App& command, RecoveryOptions& options)
       if (paper && options.Denoise)
       {
         throw CLI::ValidationError("--denoise", "applies to --method robust only");
+      }
+      if (paper && options.AllowFlips)
+      {
+        throw CLI::ValidationError("--allow-flips", "applies to --method robust only");
       }
     });
 }

@@ -38,6 +38,7 @@ struct RecoveryOptions : ClassificationOptions
 {
   std::string Method = "robust"; ///< or "paper"
   bool Denoise = false;
+  bool AllowFlips = false;
 };
 
 /// --window, --window-ratio, --sharp-angle, --window-search, --sharp-at, --smooth-at, --patches.

@@ -148,11 +148,13 @@ void ReportAccount(Session& session, vtkPolyData* mesh, const RecoveryOptions& o
   parameters["window_range"] = { range[0], range[1] };
   parameters["sharp_angle"] = angle;
   parameters["denoise"] = options.Denoise;
+  parameters["allow_flips"] = options.AllowFlips;
   parameters["picked"] = HasPicks(options);
   session.Report["recognised"] = { { "roughness", FieldNumber(mesh, array::Roughness) },
     { "rounding", FieldNumber(mesh, array::Rounding) },
     { "bend_triangle_size", FieldNumber(mesh, array::BendTriangleSize) },
     { "bends_are_meant", FieldNumber(mesh, array::BendsAreMeant) > 0.0 } };
+  session.Report["edge_flips"] = static_cast<vtkIdType>(FieldNumber(mesh, array::EdgeFlips));
   Json& outcomes = session.Report["outcomes"];
   for (const auto& [outcome, name] :
     { std::pair{ Outcome::Moved, "moved" }, std::pair{ Outcome::Right, "right_already" },
@@ -282,6 +284,7 @@ vtkSmartPointer<vtkPolyData> Recover(
                                               : vtkSharpEdgeReconstruction::ROBUST);
   SetClassification(filter, options);
   filter->SetDenoise(options.Denoise);
+  filter->SetAllowEdgeFlips(options.AllowFlips);
   session.Report["parameters"]["method"] = options.Method;
   RunStage(session, filter, "recovering", name, Advice(options));
   vtkSmartPointer<vtkPolyData> result = filter->GetOutput();

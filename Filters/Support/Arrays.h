@@ -66,6 +66,7 @@ constexpr const char* AverageEdgeLength = "AverageEdgeLength";
 constexpr const char* Roughness = "Roughness";
 constexpr const char* Rounding = "Rounding";
 constexpr const char* BendTriangleSize = "BendTriangleSize";
+constexpr const char* EdgeFlips = "EdgeFlips";
 constexpr const char* BendsAreMeant = "BendsAreMeant";
 constexpr const char* ClassificationSeconds = "ClassificationSeconds";
 constexpr const char* ThinningSeconds = "ThinningSeconds";

@@ -7,6 +7,7 @@
 #include "Support/Arrays.h"
 #include "Support/AssembledSurface.h"
 #include "Support/Parameters.h"
+#include "Support/ReplaceTriangles.h"
 
 #include <vtkPolyData.h>
 
@@ -32,6 +33,7 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
   AddFieldValue(output, array::Rounding, result.Rounding);
   AddFieldValue(output, array::BendTriangleSize, result.BendTriangleSize);
   AddFieldValue(output, array::BendsAreMeant, result.BendsAreMeant ? 1.0 : 0.0);
+  AddFieldValue(output, array::EdgeFlips, result.EdgeFlips);
   AddFieldValue(output, array::AverageEdgeLength, surface.AverageEdgeLength);
   AddFieldValue(output, array::ClassificationSeconds, result.ClassificationSeconds);
   AddFieldValue(output, array::ThinningSeconds, result.ThinningSeconds);
@@ -39,6 +41,7 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
   ShareAmongCommon(surface, output);
   ShareAmongCommon(surface, result.Points);
   ReplacePoints(output, result.Points);
+  ReplaceTriangles(output, surface, result.Triangles);
   AddDisplacement(output, input->GetPoints());
   return true;
 }

@@ -93,7 +93,7 @@ for i in range(plain_table.GetNumberOfColumns()):
 
 # All in one, with the values that an enumeration shows.
 one_click = simple.SharpEdgeReconstruction(Input=contour)
-set_and_read(one_click, Method="Paper", Denoise=1, **WINDOW)
+set_and_read(one_click, Method="Paper", Denoise=1, AllowEdgeFlips=1, **WINDOW)
 assert one_click.Window == 0.0  # automatic
 for method in ("Robust", "Paper"):
     one_click.Method = method

@@ -125,6 +125,7 @@ vtkSmartPointer<vtkPolyDataAlgorithm> Reconstruction(Decisions& decisions, int m
   filter->SetMethod(method);
   SetRegion(decisions, filter);
   filter->SetDenoise(decisions.Yes());
+  filter->SetAllowEdgeFlips(decisions.Yes());
   return filter;
 }
 
@@ -210,11 +211,13 @@ void RequireSound(vtkPolyData* output, const std::set<std::string>& given)
   RequireFinite(output->GetFieldData(), given);
 }
 
-/// Triangles, and points outside the sharp region, are the input's.
-void RequireKept(vtkPolyData* input, vtkPolyData* output, bool denoised)
+/// Triangles, and points outside the sharp region, are the input's; but for what the user has
+/// allowed.
+void RequireKept(vtkPolyData* input, vtkPolyData* output, bool denoised, bool flipped)
 {
   Require(output->GetNumberOfPoints() == input->GetNumberOfPoints(), "points are as many");
-  const bool triangles = input->GetNumberOfStrips() == 0 && input->GetPolys()->IsHomogeneous() == 3;
+  const bool triangles =
+    !flipped && input->GetNumberOfStrips() == 0 && input->GetPolys()->IsHomogeneous() == 3;
   vtkNew<vtkIdList> before, after;
   for (vtkIdType c = 0; triangles && c < input->GetNumberOfPolys(); ++c)
   {
@@ -273,7 +276,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     auto* extractor = vtkSharpEdgeExtractor::SafeDownCast(filter);
     auto* reconstruction = vtkSharpEdgeReconstruction::SafeDownCast(filter);
     RequireKept(before, extractor != nullptr ? extractor->GetSurfaces() : filter->GetOutput(),
-      reconstruction != nullptr && reconstruction->GetDenoise());
+      reconstruction != nullptr && reconstruction->GetDenoise(),
+      reconstruction != nullptr && reconstruction->GetAllowEdgeFlips());
   }
   return 0;
 }

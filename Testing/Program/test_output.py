@@ -23,7 +23,16 @@ MESH = {"vertices", "triangles"}
 RECOVERY = FILES | {"average_edge_length", "displacement", "assembly"}
 RECOVERY_COUNTS = MESH | {"sharp_vertices", "skeleton_vertices", "moved_vertices"}
 PAPER = {"method", "window", "window_ratio", "sharp_angle", "window_search", "picked"}
-ROBUST = {"method", "window", "window_ratio", "window_range", "sharp_angle", "denoise", "picked"}
+ROBUST = {
+    "method",
+    "window",
+    "window_ratio",
+    "window_range",
+    "sharp_angle",
+    "denoise",
+    "allow_flips",
+    "picked",
+}
 CURVES = MESH | {"curves", "corners", "surfaces"}
 FEATURES = {
     "feature_angle",
@@ -41,7 +50,7 @@ FEATURES = {
 STEPS = {"classification", "thinning", "sharpening"}
 EXPECTED = {  # keys at the top, in parameters, in counts and in seconds
     "sharpen": (
-        RECOVERY | {"recognised", "outcomes"},
+        RECOVERY | {"recognised", "edge_flips", "outcomes"},
         ROBUST,
         RECOVERY_COUNTS,
         {"read", "write"} | STEPS,

@@ -21,6 +21,7 @@ WRONG = {
     SHARPEN + "--threads 1.5": "--threads: must be a whole number from 1 to 1024, not 1.5",
     SHARPEN + "--window-search spatial": "--window-search: applies to --method paper only",
     SHARPEN + "--method paper --denoise": "--denoise: applies to --method robust only",
+    SHARPEN + "--method paper --allow-flips": "--allow-flips: applies to --method robust only",
     SHARPEN + "--method paper --window 1 --window-ratio 1": "--window excludes --window-ratio",
     SHARPEN + "--method paper --window -1": "--window: must be a number greater than 0, not -1",
     SHARPEN + "--method paper --window inf": "--window: must be a number greater than 0, not inf",

@@ -65,6 +65,7 @@ class Properties(unittest.TestCase):
         self.check(vtkUSSODFilter, "SharpAngle", PAPERS_ANGLE, 30.0)
         self.check(vtkSharpEdgeReconstruction, "SharpAngle", 0.0, 30.0)
         self.check(vtkSharpEdgeReconstruction, "Denoise", False, True)
+        self.check(vtkSharpEdgeReconstruction, "AllowEdgeFlips", False, True)
         for make in (vtkUSSODFilter, vtkSharpEdgeReconstruction):
             self.check(make, "WindowSearch", make.CONNECTED, make.SPATIAL)
         self.check(

@@ -217,20 +217,21 @@ const Sheet* Placement::SheetOf(Index triangle) const
   return nullptr;
 }
 
+double ShapeQuality(const Corners& corners, const Vec3& expected)
+{
+  constexpr double Equilateral = 3.4641016151377544; // 2 sqrt(3)
+  const double lengths = (corners.B - corners.A).squaredNorm() +
+    (corners.C - corners.B).squaredNorm() + (corners.A - corners.C).squaredNorm();
+  return lengths > 0.0 ? Equilateral * corners.AreaVector().dot(expected) / lengths : 0.0;
+}
+
 double Placement::Quality(Index t) const
 {
   const Triangle& c = this->TheMesh.Triangles[t];
   const Corners corners(this->Points[c[0]], this->Points[c[1]], this->Points[c[2]]);
-  const double lengths = (corners.B - corners.A).squaredNorm() +
-    (corners.C - corners.B).squaredNorm() + (corners.A - corners.C).squaredNorm();
-  if (!(lengths > 0.0))
-  {
-    return 0.0;
-  }
   const Sheet* sheet = this->SheetOf(t);
   const Vec3 expected = sheet ? sheet->Normal(corners.Centroid())
                               : Vec3(Corners(this->TheMesh, t).AreaVector().normalized());
-  constexpr double Equilateral = 3.4641016151377544; // 2 sqrt(3)
-  return Equilateral * corners.AreaVector().dot(expected) / lengths;
+  return ShapeQuality(corners, expected);
 }
 }

@@ -9,6 +9,7 @@
 #define arris_Robust_Placement_h
 
 #include "Core/FreeBoundary.h"
+#include "Core/Geometry.h"
 #include "Ridge.h"
 
 #include "ArrisFiltersModule.h" // for the export macro
@@ -17,6 +18,10 @@
 
 namespace arris
 {
+/// 1 for an equilateral triangle, 0 for one without area, negative for one that faces away from
+/// `expected`, a unit vector.
+double ShapeQuality(const Corners& corners, const Vec3& expected);
+
 class ARRISFILTERS_EXPORT Placement
 {
 public:
@@ -106,8 +111,8 @@ public:
   /// The point on the vertex's sheets next to `target`; the vertex's own where that is too far.
   Vec3 Held(Index vertex, const Vec3& target) const;
 
-  /// 1 for an equilateral triangle, 0 for one without area, negative for one that is folded over
-  /// against the face it is part of.
+  /// Its shape (see ShapeQuality); negative for one that is folded over against the face it is
+  /// part of.
   double Quality(Index triangle) const;
 
   const std::vector<Vec3>& AllPoints() const { return this->Points; }

@@ -9,6 +9,7 @@
 #include "Core/StopWatch.h"
 #include "Denoised.h"
 #include "Ears.h"
+#include "EdgeFlips.h"
 #include "FineBends.h"
 #include "GiveBack.h"
 #include "Junctions.h"
@@ -21,6 +22,7 @@
 #include "Untangle.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace arris
 {
@@ -39,19 +41,28 @@ constexpr int RecoveryPasses = 2;
 /// As far as a turn looks, in edges.
 constexpr int TurnReach = 6;
 
+/// A mesh whose edges may be flipped.
+struct Flippable
+{
+  Mesh TheMesh;
+  Connectivity TheConnectivity;
+};
+
 /// The steps of the method, in order, on one mesh: on one 2-manifold, or on the patches of an
 /// assembly with vertices of their own. Their common vertices are brought together to be placed.
 class Recovery
 {
 public:
   Recovery(const Mesh& input, const Connectivity& connectivity, const Whole* whole,
-    double averageEdgeLength, const RobustParameters& parameters, const Monitor& monitor)
+    double averageEdgeLength, const RobustParameters& parameters, const Monitor& monitor,
+    Flippable* flippable = nullptr)
     : Input(input)
     , TheConnectivity(connectivity)
     , Together(whole)
     , AverageEdgeLength(averageEdgeLength)
     , Parameters(parameters)
     , TheMonitor(monitor)
+    , MayFlip(flippable)
     , Scales(LocalScales(input, connectivity))
   {
   }
@@ -326,7 +337,9 @@ private:
         placement.Pin(v, v == apex.Vertex ? apex.Tip : mesh.Now.Points[v]);
       }
     }
+    this->FlipEdges(placement);
     Untangle(mesh.Now, mesh.TheConnectivity, mesh.Scales, placement);
+    this->FlipEdges(placement);
     Straighten(mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Before.Points, placement);
     if (this->IsRough() && !this->Parameters.Denoise)
     {
@@ -348,6 +361,16 @@ private:
     TellSkeleton(mesh.TheConnectivity, placement, this->Result);
     TellOutcomes(mesh.Before.Points, wanted, placement, this->Result);
     this->TakePoints(placement.AllPoints());
+  }
+
+  void FlipEdges(Placement& placement)
+  {
+    if (this->MayFlip)
+    {
+      this->Result.EdgeFlips +=
+        arris::FlipEdges(this->Work, this->MayFlip->TheConnectivity, placement);
+      this->MayFlip->TheMesh.Triangles = this->Work.Triangles;
+    }
   }
 
   static void PutIntactBack(const Mesh& before, Placement& placement)
@@ -378,6 +401,7 @@ private:
   double AverageEdgeLength;
   const RobustParameters& Parameters;
   const Monitor& TheMonitor;
+  Flippable* MayFlip; ///< input and connectivity where edges may be flipped, else null
   std::vector<double> Scales;
   RobustResult Result;
 
@@ -395,6 +419,18 @@ RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
 {
   if (connectivity.Common.empty())
   {
+    if (parameters.AllowEdgeFlips)
+    {
+      Flippable copy{ mesh, connectivity };
+      RobustResult result = Recovery(
+        copy.TheMesh, copy.TheConnectivity, nullptr, averageEdgeLength, parameters, monitor, &copy)
+                              .Run();
+      if (result.EdgeFlips > 0)
+      {
+        result.Triangles = std::move(copy.TheMesh.Triangles);
+      }
+      return result;
+    }
     return Recovery(mesh, connectivity, nullptr, averageEdgeLength, parameters, monitor).Run();
   }
   const PatchesApart apart = TakeApart(mesh, connectivity);

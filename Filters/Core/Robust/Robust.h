@@ -37,6 +37,7 @@ struct RobustParameters
   double SharpAngle = 0.0; ///< degrees; the turn from which on an edge is sharp; 0: 16, of
                            ///< segmentations 13, of noise 22
   bool Denoise = false; ///< of a rough mesh, the smooth faces are moved as well
+  bool AllowEdgeFlips = false; ///< see EdgeFlips.h; not of assemblies
 };
 
 struct RobustResult
@@ -55,6 +56,8 @@ struct RobustResult
   std::vector<SkeletonRole> Roles;
   std::vector<Outcome> Outcomes;
   std::vector<Vec3> Points;
+  Index EdgeFlips = 0; ///< how many edges were flipped
+  std::vector<Triangle> Triangles; ///< all as they are then; empty if none was flipped
 
   // What finding the region, the skeleton and the positions took.
   double ClassificationSeconds = 0.0;

@@ -114,6 +114,8 @@ TEST(Properties, OfReconstruction)
   ExpectProperty<Filter, int>(
     "Method", &Filter::SetMethod, &Filter::GetMethod, Filter::ROBUST, Filter::PAPER);
   ExpectProperty<Filter, bool>("Denoise", &Filter::SetDenoise, &Filter::GetDenoise, false, true);
+  ExpectProperty<Filter, bool>(
+    "AllowEdgeFlips", &Filter::SetAllowEdgeFlips, &Filter::GetAllowEdgeFlips, false, true);
 }
 
 TEST(Properties, OfSharpening)
