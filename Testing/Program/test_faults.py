@@ -81,6 +81,17 @@ class Faults(ProgramTest):
         whole = header.encode() + bytes(4 * 8**3)
         self.assert_cut("cut.nrrd", whole, "contour", "cut.nrrd", "--value=0", "-o", "new.vtp")
 
+    def test_cut_values_beside_their_header(self):
+        self.whole("cut.mhd", box_volume(8), True)
+        data = next(path for path in self.folder.glob("cut.*") if path.suffix != ".mhd")
+        whole = data.read_bytes()
+        for cut in (0, 1, len(whole) // 2, len(whole) * 9 // 10):
+            with self.subTest(cut=cut, of=len(whole)):
+                data.write_bytes(whole[:cut])
+                run = self.run_program("contour", "cut.mhd", "--value=0", "-o", "old.vtp", "-q")
+                self.assert_one_line(run, 1, "cut.mhd: ")
+                self.assertEqual((self.folder / "old.vtp").read_text(), OLD)
+
     def test_header_without_an_end(self):
         """VTK's reader would look for it for ever."""
         for text in ("NRRD", "NRRD0004\ntype: float\ndimension: 3\nsizes: 8 8 8", "NRRD0004\n"):

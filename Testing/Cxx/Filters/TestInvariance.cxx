@@ -3,6 +3,8 @@
 
 #include "FilterTesting.h"
 
+#include <vtkReverseSense.h>
+
 #include <numeric>
 #include <random>
 
@@ -12,7 +14,8 @@ using namespace arris::testing;
 // In double precision: a turn rounds each coordinate by 1e-16 of the size of the part, and the
 // predictor magnifies that by up to 200, the inverse of the smallest eigenvalue it keeps, once for
 // each round, the branches and the joints: five times here. Normals of slivers add theirs. 3e-8 was
-// measured; 1e-6 is still a ten-thousandth of an edge.
+// measured, 5e-8 at a million times the size of the part; 1e-6 is still a ten-thousandth of an
+// edge.
 
 namespace
 {
@@ -56,12 +59,21 @@ vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, const Motion& motion)
     p = motion(p);
     moved->GetPoints()->SetPoint(v, p.data());
   }
+  if (motion.Rotation.determinant() < 0.0)
+  {
+    vtkNew<vtkReverseSense> outward;
+    outward->SetInputData(moved);
+    outward->Update();
+    return outward->GetOutput();
+  }
   return moved;
 }
 
 const Eigen::Matrix3d Still = Eigen::Matrix3d::Identity();
 const Eigen::Matrix3d Turned =
   Eigen::AngleAxisd(1.1, Point3(3.0, -1.0, 2.0).normalized()).toRotationMatrix();
+
+const Eigen::Matrix3d Mirrored = Eigen::Vector3d(-1.0, 1.0, 1.0).asDiagonal();
 
 class Invariance : public ::testing::TestWithParam<Motion>
 {
@@ -80,7 +92,6 @@ TEST_P(Invariance, OfTheRecoveredMesh)
       SameBytes(here->GetPointData()->GetArray(name), there->GetPointData()->GetArray(name)))
       << name;
   }
-  const double size = motion.Scale + motion.Offset.norm(); // what coordinates are rounded against
   double farthest = 0.0;
   double ussod = 0.0;
   for (vtkIdType v = 0; v < here->GetNumberOfPoints(); ++v)
@@ -94,8 +105,29 @@ TEST_P(Invariance, OfTheRecoveredMesh)
       std::abs(here->GetPointData()->GetArray("NormalDeviation")->GetComponent(v, 0) -
         there->GetPointData()->GetArray("NormalDeviation")->GetComponent(v, 0)));
   }
-  EXPECT_LE(farthest, Rounding * size);
+  EXPECT_LE(farthest, Rounding * motion.Scale);
   EXPECT_LE(ussod, 1e-5); // degrees; slivers a thousandth of an edge high magnify roundings
+}
+
+// The robust method decides much by comparison, and where a decision hangs on rounding the vertices
+// near it go elsewhere. 4 to 19 of the 1844 were measured; the others are where they were.
+TEST_P(Invariance, OfNearlyAllThatTheRobustMethodRecovers)
+{
+  constexpr double Elsewhere = 0.02; // of the vertices
+  const Motion& motion = GetParam();
+  const auto mesh = DoubleContour(BracketSolid());
+  vtkNew<vtkSharpEdgeReconstruction> filter;
+  const auto here = Execute(filter, mesh);
+  const auto there = Execute(filter, Moved(mesh, motion));
+  int elsewhere = 0;
+  for (vtkIdType v = 0; v < mesh->GetNumberOfPoints(); ++v)
+  {
+    Point3 a, b;
+    here->GetPoint(v, a.data());
+    there->GetPoint(v, b.data());
+    elsewhere += (motion(a) - b).norm() > Rounding * motion.Scale ? 1 : 0;
+  }
+  EXPECT_LE(elsewhere, Elsewhere * static_cast<double>(mesh->GetNumberOfPoints()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Motions, Invariance,
@@ -103,6 +135,10 @@ INSTANTIATE_TEST_SUITE_P(Motions, Invariance,
     Motion{ "Translation", Still, 1.0, Point3(10.0, -20.0, 5.0) },
     Motion{ "Thousandth", Still, 1e-3, Point3::Zero() },
     Motion{ "Thousandfold", Still, 1e3, Point3::Zero() },
+    Motion{ "Billionth", Still, 1e-9, Point3::Zero() },
+    Motion{ "Billionfold", Still, 1e9, Point3::Zero() },
+    Motion{ "FarAway", Still, 1.0, Point3(1e6, -1e6, 1e6) },
+    Motion{ "Reflection", Mirrored, 1.0, Point3::Zero() },
     Motion{ "AllAtOnce", Turned, 25.4, Point3(-3.0, 40.0, 7.0) }),
   [](const auto& test) { return test.param.Name; });
 
