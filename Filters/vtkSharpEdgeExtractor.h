@@ -35,11 +35,11 @@
  * Output 1: the corners as vertices: where other than two feature edges meet, where a curve turns
  * by more than CornerAngle (unless it turns back within three edges, of a finely cut curve) or
  * changes from one of the kinds folded, boundary and non-manifold to another; and tips such as the
- * apex of a cone. Two that are less than a tenth of the edges of fine curves apart are one, to which
- * the curves of both go. Their points' arrays, and `Valence` (int: how many curves end there, 0 for
- * a tip), `CurveIds` (int, as many components as the largest valence, -1 beyond a corner's own),
- * `CornerKind` (unsigned char: 0 convex, 1 concave, 2 saddle, 3 none, for corners without folded
- * edges), `Tip` (unsigned char), `MeshPointId` (vtkIdType).
+ * apex of a cone. Two that are less than a tenth of the edges of fine curves apart are one, to
+ * which the curves of both go. Their points' arrays, and `Valence` (int: how many curves end there,
+ * 0 for a tip), `CurveIds` (int, as many components as the largest valence, -1 beyond a corner's
+ * own), `CornerKind` (unsigned char: 0 convex, 1 concave, 2 saddle, 3 none, for corners without
+ * folded edges), `Tip` (unsigned char), `MeshPointId` (vtkIdType).
  *
  * Output 2: the mesh with the cell array `SurfaceId` (int): the smooth face that the curves bound,
  * numbered from 0 by descending area; -1 for cells without area, vertices and lines.
