@@ -8,11 +8,14 @@
 
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace arris
@@ -21,7 +24,8 @@ namespace
 {
 using Point = std::array<double, 3>;
 
-/// Curves as points and edges between them.
+/// Curves as points and edges between them, each of them once: curves may have their last edge in
+/// common.
 struct Edges
 {
   std::vector<Point> Points;
@@ -41,11 +45,16 @@ struct Edges
       }
       return inserted.first->second;
     };
+    std::set<std::pair<std::size_t, std::size_t>> seen;
     ForEachSegment(curves,
       [&](vtkIdType a, vtkIdType b)
       {
         const std::size_t from = number(a);
-        this->Ends.push_back({ from, number(b) });
+        const std::size_t to = number(b);
+        if (seen.insert(std::minmax(from, to)).second)
+        {
+          this->Ends.push_back({ from, to });
+        }
       });
   }
 };

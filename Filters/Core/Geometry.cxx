@@ -58,13 +58,7 @@ std::vector<Vec3> UnitNormals(const Mesh& mesh, double averageEdgeLength)
     {
       for (Index t = begin; t < end; ++t)
       {
-        const Corners corners(mesh, t);
-        const Vec3 area = corners.AreaVector();
-        const double twiceArea = area.norm();
-        const double longest = std::sqrt(std::max({ (corners.B - corners.A).squaredNorm(),
-          (corners.C - corners.B).squaredNorm(), (corners.A - corners.C).squaredNorm() }));
-        const bool believed = twiceArea > leastHeight * longest;
-        normals[t] = believed ? Vec3(area / twiceArea) : Vec3(Vec3::Zero());
+        normals[t] = UnitNormal(Corners(mesh, t), leastHeight);
       }
     });
   return normals;

@@ -13,6 +13,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace arris
@@ -43,8 +44,8 @@ struct Corners
 };
 
 /// The normals of the triangles around a vertex, twice their areas long, added up.
-inline Vec3 AreaVectorAround(const std::vector<Triangle>& triangles,
-  const std::vector<Vec3>& points, const Connectivity& connectivity, Index vertex)
+inline Vec3 AreaVectorAround(const Triangles& triangles, const std::vector<Vec3>& points,
+  const Connectivity& connectivity, Index vertex)
 {
   Vec3 sum = Vec3::Zero();
   for (Index t : connectivity.TrianglesOfVertex[vertex])
@@ -71,6 +72,16 @@ ARRISFILTERS_EXPORT double Diagonal(const Mesh& mesh);
 
 /// The square of the distance from a point to a triangle: to the point set, not to the plane.
 ARRISFILTERS_EXPORT double SquaredDistance(const Vec3& point, const Corners& triangle);
+
+/// The unit normal of a triangle; zero if its height is no more than that.
+inline Vec3 UnitNormal(const Corners& corners, double height)
+{
+  const Vec3 area = corners.AreaVector();
+  const double twiceArea = area.norm();
+  const double longest = std::sqrt(std::max({ (corners.B - corners.A).squaredNorm(),
+    (corners.C - corners.B).squaredNorm(), (corners.A - corners.C).squaredNorm() }));
+  return twiceArea > height * longest ? Vec3(area / twiceArea) : Vec3(Vec3::Zero());
+}
 
 /// The unit normal of each triangle; zero where a triangle is so flat (its height under
 /// `SliverHeight` of its mesh's average edge length) that rounding decides where it looks.

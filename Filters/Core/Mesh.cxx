@@ -52,18 +52,19 @@ class Spokes
 public:
   void Gather(const Mesh& mesh, IndexSpan triangles, Index vertex)
   {
-    this->Leaving.clear();
-    this->Arriving.clear();
-    for (const Index t : triangles)
+    this->Leaving.resize(triangles.size());
+    this->Arriving.resize(triangles.size());
+    for (Index i = 0; i < triangles.size(); ++i)
     {
+      const Index t = triangles[i];
       const Triangle& triangle = mesh.Triangles[t];
       const int corner = CornerOf(triangle, vertex);
       const int last = Next(Next(corner));
-      this->Leaving.push_back(Side(triangle[Next(corner)], t, corner));
-      this->Arriving.push_back(Side(triangle[last], t, last));
+      this->Leaving[i] = Side(triangle[Next(corner)], t, corner);
+      this->Arriving[i] = Side(triangle[last], t, last);
     }
-    std::sort(this->Leaving.begin(), this->Leaving.end());
-    std::sort(this->Arriving.begin(), this->Arriving.end());
+    Sort(this->Leaving);
+    Sort(this->Arriving);
   }
 
   /// Calls visit(neighbor, sides, count) for each edge, by ascending neighbour, with its sides by
@@ -105,6 +106,26 @@ private:
     return (static_cast<std::uint64_t>(neighbor) << 32) |
       (3 * static_cast<std::uint32_t>(triangle) + static_cast<std::uint32_t>(edge));
   }
+  /// Most vertices have six edges or so, which insertion sorts fastest.
+  static void Sort(std::vector<std::uint64_t>& sides)
+  {
+    constexpr std::size_t Few = 16;
+    if (sides.size() > Few)
+    {
+      std::sort(sides.begin(), sides.end());
+      return;
+    }
+    for (std::size_t i = 1; i < sides.size(); ++i)
+    {
+      const std::uint64_t side = sides[i];
+      std::size_t to = i;
+      for (; to > 0 && sides[to - 1] > side; --to)
+      {
+        sides[to] = sides[to - 1];
+      }
+      sides[to] = side;
+    }
+  }
   static std::uint32_t Slot(std::uint64_t side) { return static_cast<std::uint32_t>(side); }
   static Index NeighborOf(std::uint64_t side) { return static_cast<Index>(side >> 32); }
 
@@ -128,8 +149,7 @@ private:
 };
 
 /// Makes each side of an edge point to the triangle of the next, the last one to the first.
-void LinkAround(
-  const std::uint64_t* sides, int count, std::vector<std::array<Index, 3>>& acrossEdge)
+void LinkAround(const std::uint64_t* sides, int count, Unfilled<std::array<Index, 3>>& acrossEdge)
 {
   for (int i = 0; i < count; ++i)
   {
@@ -150,7 +170,7 @@ void SpreadNeighbors(const Mesh& mesh, const Rows& trianglesOfVertex,
     neighbors.Offsets = std::move(offsets);
     return;
   }
-  std::vector<Index> values(offsets.back());
+  Unfilled<Index> values(offsets.back());
   ParallelFor(mesh.VertexCount(),
     [&](Index begin, Index end)
     {
@@ -213,10 +233,17 @@ Connectivity::Connectivity(const Mesh& mesh)
   SpreadNeighbors(mesh, this->TrianglesOfVertex, lengths, this->NeighborsOfVertex);
 }
 
+bool HasBoundary(const Connectivity& connectivity)
+{
+  const Flags& flags = connectivity.OnBoundary;
+  return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
+
 Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity)
 {
   Flags open(mesh.Points.size(), 0);
-  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  const bool any = HasBoundary(connectivity);
+  for (Index t = 0; any && t < mesh.TriangleCount(); ++t)
   {
     for (int k = 0; k < 3; ++k)
     {
@@ -231,16 +258,37 @@ Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity)
 
 double AverageEdgeLength(const Mesh& mesh, const Connectivity& connectivity)
 {
-  // Summed in the order of storage: a sum by threads would depend on their number.
+  // The lengths are found on all threads, a block at a time, and summed in the order of storage: a
+  // sum by threads would depend on their number.
+  constexpr Index Block = 32768;
+  const Rows& neighbors = connectivity.NeighborsOfVertex;
+  std::vector<double> lengths;
   double sum = 0.0;
   std::size_t count = 0;
-  for (Index v = 0; v < mesh.VertexCount(); ++v)
+  for (Index first = 0; first < mesh.VertexCount(); first += Block)
   {
-    for (Index neighbor : connectivity.NeighborsOfVertex[v])
-    {
-      if (neighbor > v)
+    const Index size = std::min(Block, mesh.VertexCount() - first);
+    const Index start = neighbors.Offsets[first];
+    const Index end = neighbors.Offsets[first + size];
+    lengths.resize(end - start);
+    ParallelFor(size,
+      [&](Index begin, Index stop)
       {
-        sum += (mesh.Points[neighbor] - mesh.Points[v]).norm();
+        for (Index v = first + begin; v < first + stop; ++v)
+        {
+          for (Index i = neighbors.Offsets[v]; i < neighbors.Offsets[v + 1]; ++i)
+          {
+            const Index neighbor = neighbors.Values[i];
+            lengths[i - start] =
+              neighbor > v ? (mesh.Points[neighbor] - mesh.Points[v]).norm() : -1.0;
+          }
+        }
+      });
+    for (const double length : lengths)
+    {
+      if (length >= 0.0) // or it is counted at its other end
+      {
+        sum += length;
         ++count;
       }
     }

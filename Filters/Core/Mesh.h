@@ -8,17 +8,20 @@
 #define arris_Mesh_h
 
 #include "Types.h"
+#include "Unfilled.h"
 
 #include "ArrisFiltersModule.h" // for the export macro
 
 namespace arris
 {
+using Triangles = Unfilled<Triangle>;
+
 /// Points (any length unit) and the triangles on them. No triangle names a vertex twice, and every
 /// index is in range: whoever fills a Mesh sees to it.
 struct Mesh
 {
   std::vector<Vec3> Points;
-  std::vector<Triangle> Triangles;
+  arris::Triangles Triangles;
 
   Index VertexCount() const { return static_cast<Index>(this->Points.size()); }
   Index TriangleCount() const { return static_cast<Index>(this->Triangles.size()); }
@@ -29,7 +32,7 @@ class Rows
 {
 public:
   std::vector<Index> Offsets; ///< one more than there are rows
-  std::vector<Index> Values;
+  Unfilled<Index> Values;
 
   Index size() const { return static_cast<Index>(this->Offsets.size()) - 1; }
   IndexSpan operator[](Index row) const
@@ -51,7 +54,7 @@ struct ARRISFILTERS_EXPORT Connectivity
   /// For edge k of each triangle (from its corner k to corner k + 1) the next triangle around that
   /// edge: the one on the other side, or NoIndex on the boundary of the mesh. Around a non-manifold
   /// edge the triangles follow each other in a ring, so that a walk still reaches all of them.
-  std::vector<std::array<Index, 3>> AcrossEdge;
+  Unfilled<std::array<Index, 3>> AcrossEdge;
 
   /// 1 for the ends of edges that do not have exactly two triangles: the boundary of the mesh and
   /// of the 2-manifold patches of a non-manifold one.
@@ -65,6 +68,9 @@ struct ARRISFILTERS_EXPORT Connectivity
   Connectivity() = default;
   explicit Connectivity(const Mesh& mesh);
 };
+
+/// Whether any edge has other than two triangles.
+bool HasBoundary(const Connectivity& connectivity);
 
 /// 1 for the ends of edges with one triangle.
 Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity);

@@ -104,7 +104,7 @@ Skeleton TraceSkeleton(
   skeleton.Roles.resize(mesh.Points.size());
   skeleton.SharpNeighbors.Offsets.assign(1, 0);
   skeleton.SharpNeighbors.Offsets.reserve(mesh.Points.size() + 1);
-  std::vector<Index>& values = skeleton.SharpNeighbors.Values;
+  auto& values = skeleton.SharpNeighbors.Values;
   for (Index v = 0; v < mesh.VertexCount(); ++v)
   {
     const std::size_t before = values.size();

@@ -84,11 +84,11 @@ bool IsClosedAndOriented(const Mesh& mesh, const Connectivity& connectivity)
 
 /// Finds across each edge of each triangle the one that continues its patch, and counts the edges
 /// that do not have two triangles.
-std::vector<std::array<Index, 3>> Continuations(const Mesh& mesh, const Connectivity& connectivity,
+Unfilled<std::array<Index, 3>> Continuations(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<Index>& ids, AssemblyFacts& facts)
 {
   const auto idOf = [&](Index t) { return ids.empty() ? 0 : ids[t]; };
-  std::vector<std::array<Index, 3>> continuations(mesh.Triangles.size());
+  Unfilled<std::array<Index, 3>> continuations(mesh.Triangles.size());
   for (Index t = 0; t < mesh.TriangleCount(); ++t)
   {
     for (int k = 0; k < 3; ++k)

@@ -63,7 +63,7 @@ std::vector<FeatureCorner> CornersOf(
 }
 }
 
-bool FindFeatureCorners(const Mesh& mesh, const Connectivity& connectivity,
+bool FindFeatureCorners(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds,
   const CurveNetwork& network, const std::vector<FeatureEdge>& sortedFeatures, double tipAngle,
   const Monitor& monitor, std::vector<FeatureCorner>& corners)
 {
@@ -73,7 +73,7 @@ bool FindFeatureCorners(const Mesh& mesh, const Connectivity& connectivity,
     edged[edge.A] = 1;
     edged[edge.B] = 1;
   }
-  const std::vector<TipKind> tips = FindTips(mesh, connectivity, edged, tipAngle, monitor);
+  const std::vector<TipKind> tips = FindTips(mesh, connectivity, folds, edged, tipAngle, monitor);
   if (tips.size() != mesh.Points.size())
   {
     return false;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace arris
 {
@@ -58,20 +59,28 @@ std::vector<FeatureEdge> CandidateEdges(
 {
   const double threshold = DifferenceOfAngle(least);
   std::vector<FeatureEdge> edges;
-  std::vector<Index> ring;
-  for (Index t = 0; t < mesh.TriangleCount(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
+  std::mutex adding;
+  ParallelFor(mesh.TriangleCount(),
+    [&](Index begin, Index end)
     {
-      const bool candidate = !IsFold(folds.Kinds[t][k]) ||
-        std::abs(static_cast<double>(folds.Differences[t][k])) > threshold;
-      if (candidate && IsLowestAt(mesh, connectivity, folds, t, k, ring))
+      std::vector<FeatureEdge> found;
+      std::vector<Index> ring;
+      for (Index t = begin; t < end; ++t)
       {
-        edges.push_back(MakeFeature(mesh, connectivity, folds, t, k));
+        for (int k = 0; k < 3; ++k)
+        {
+          const bool candidate = !IsFold(folds.Kinds[t][k]) ||
+            std::abs(static_cast<double>(folds.Differences[t][k])) > threshold;
+          if (candidate && IsLowestAt(mesh, connectivity, folds, t, k, ring))
+          {
+            found.push_back(MakeFeature(mesh, connectivity, folds, t, k));
+          }
+        }
       }
-    }
-  }
-  SortEdges(edges);
+      const std::lock_guard<std::mutex> lock(adding);
+      edges.insert(edges.end(), found.begin(), found.end());
+    });
+  SortEdges(edges); // whoever came first
   return edges;
 }
 

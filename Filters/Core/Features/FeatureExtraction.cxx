@@ -29,11 +29,14 @@ bool ExtractFeatures(const Mesh& mesh, const Connectivity& connectivity,
   const ExtractionParameters& parameters, const Monitor& monitor, FeatureSet& features)
 {
   // How far the progress has come after each step, by its usual share of the time.
+  constexpr double Folded = 0.4;
   constexpr double Selected = 0.6;
   constexpr double Cornered = 0.8;
 
-  if (!SelectFeatures(
-        mesh, connectivity, parameters.Criteria, monitor.Part(0.0, Selected), features.Edges))
+  const Folds folds = FindFolds(mesh, connectivity, monitor.Part(0.0, Folded));
+  if (folds.Kinds.size() != mesh.Triangles.size() ||
+    !SelectFeatures(mesh, connectivity, folds, parameters.Criteria, monitor.Part(Folded, Selected),
+      features.Edges))
   {
     return false;
   }
@@ -48,7 +51,7 @@ bool ExtractFeatures(const Mesh& mesh, const Connectivity& connectivity,
       true });
   MergeNearCorners(mesh.Points, features.Network);
   OrientCurves(features.Edges, features.Faces.Ids, features.Network.Curves);
-  if (!FindFeatureCorners(mesh, connectivity, features.Network, features.Edges,
+  if (!FindFeatureCorners(mesh, connectivity, folds, features.Network, features.Edges,
         parameters.Criteria.Band.Seed, monitor.Part(Selected, Cornered), features.Corners))
   {
     return false;

@@ -9,19 +9,13 @@
 
 namespace arris
 {
-bool SelectFeatures(const Mesh& mesh, const Connectivity& connectivity,
+bool SelectFeatures(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds,
   const FeatureCriteria& criteria, const Monitor& monitor, std::vector<FeatureEdge>& edges)
 {
-  constexpr double Folded = 0.7; // of the time, usually, when the folds are known
-  const Folds folds = FindFolds(mesh, connectivity, monitor.Part(0.0, Folded));
-  if (folds.Kinds.size() != mesh.Triangles.size())
-  {
-    return false;
-  }
   const std::vector<FeatureEdge> candidates =
     CandidateEdges(mesh, connectivity, folds, criteria.Band.Continuation);
-  const std::vector<double> angles = QuietAngles(
-    mesh, connectivity, folds, candidates, criteria.NoiseFactor, monitor.Part(Folded, 1.0));
+  const std::vector<double> angles =
+    QuietAngles(mesh, connectivity, folds, candidates, criteria.NoiseFactor, monitor);
   if (angles.size() != candidates.size())
   {
     return false;

@@ -4,6 +4,7 @@
 /// @file FeatureSelection.h
 /// The steps that choose a mesh's feature edges, in their order.
 ///
+///  0. FindFolds, which others need as well.
 ///  1. CandidateEdges: all that fold by more than the lower angle, the boundary, non-manifold
 ///  edges.
 ///  2. QuietAngles: what of their angles is noise.
@@ -19,7 +20,7 @@ namespace arris
 {
 /// Finds the feature edges of a mesh, sorted by A, then B. False if the monitor stopped it.
 ARRISFILTERS_EXPORT bool SelectFeatures(const Mesh& mesh, const Connectivity& connectivity,
-  const FeatureCriteria& criteria, const Monitor& monitor, std::vector<FeatureEdge>& edges);
+  const Folds& folds, const FeatureCriteria& criteria, const Monitor& monitor, std::vector<FeatureEdge>& edges);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include "Folds.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace arris
 {
@@ -15,6 +16,10 @@ constexpr double ThinHeight = 5e-6;
 
 /// A thin triangle may lie at a thin one; so many of them are passed to find one that is not.
 constexpr int MostThinInARow = 8;
+
+/// In single precision, as the folds are.
+using Normal = Eigen::Vector3f;
+using Normals = std::vector<Normal>;
 
 /// The longest edge of a triangle; of two that are equal, as where two of its corners coincide, the
 /// one to the larger neighbour: so the order of storage does not matter.
@@ -41,12 +46,12 @@ int LongestEdge(const Mesh& mesh, const Connectivity& connectivity, Index t)
 
 /// The normal of the first triangle that has one on the way across longest edges, oriented like the
 /// thin triangle `t`; zero where there is none.
-Vec3 NormalBeyond(
-  const Mesh& mesh, const Connectivity& connectivity, const std::vector<Vec3>& normals, Index t)
+Normal NormalBeyond(
+  const Mesh& mesh, const Connectivity& connectivity, const Normals& normals, Index t)
 {
   Index from = t;
-  double sign = 1.0;
-  for (int i = 0; i < MostThinInARow && from != NoIndex && normals[from].isZero(0.0); ++i)
+  float sign = 1.0F;
+  for (int i = 0; i < MostThinInARow && from != NoIndex && normals[from].isZero(0.0F); ++i)
   {
     const int k = LongestEdge(mesh, connectivity, from);
     const Index to = connectivity.AcrossEdge[from][k];
@@ -57,23 +62,39 @@ Vec3 NormalBeyond(
     }
     from = to;
   }
-  return from == NoIndex ? Vec3(Vec3::Zero()) : Vec3(sign * normals[from]);
+  return from == NoIndex ? Normal(Normal::Zero()) : Normal(sign * normals[from]);
 }
 
 /// The normals, with those of thin triangles taken over from across their longest edges; zero where
 /// there is none to be had.
-std::vector<Vec3> BelievedNormals(const Mesh& mesh, const Connectivity& connectivity)
+Normals BelievedNormals(const Mesh& mesh, const Connectivity& connectivity)
 {
-  std::vector<Vec3> normals = UnitNormals(mesh, ThinHeight / SliverHeight * Diagonal(mesh));
+  const double leastHeight = ThinHeight * Diagonal(mesh);
+  Normals normals(mesh.Triangles.size());
+  std::atomic<bool> anyThin(false);
+  ParallelFor(mesh.TriangleCount(),
+    [&](Index begin, Index end)
+    {
+      bool any = false;
+      for (Index t = begin; t < end; ++t)
+      {
+        normals[t] = UnitNormal(Corners(mesh, t), leastHeight).cast<float>();
+        any = any || normals[t].isZero(0.0F);
+      }
+      if (any)
+      {
+        anyThin = true;
+      }
+    });
   std::vector<Index> thin;
-  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  for (Index t = 0; anyThin && t < mesh.TriangleCount(); ++t)
   {
-    if (normals[t].isZero(0.0))
+    if (normals[t].isZero(0.0F))
     {
       thin.push_back(t);
     }
   }
-  std::vector<Vec3> borrowed(thin.size()); // set once all are known: a thin one lends nothing
+  Normals borrowed(thin.size()); // set once all are known: a thin one lends nothing
   ParallelFor(static_cast<Index>(thin.size()),
     [&](Index begin, Index end)
     {
@@ -89,80 +110,92 @@ std::vector<Vec3> BelievedNormals(const Mesh& mesh, const Connectivity& connecti
   return normals;
 }
 
-/// 1 - n1.n2 of two triangles at the edge from `a` to `b`, oriented alike; 0 if one has no normal.
-double DifferenceAcross(
-  const Mesh& mesh, const std::vector<Vec3>& normals, Index t, Index other, Index a, Index b)
+/// 1 - n1.n2 of two triangles, the second one turned round unless they are wound alike; 0 if one
+/// has no normal.
+float DifferenceOf(const Normal& normal, const Normal& other, bool woundAlike)
 {
-  if (normals[t].isZero(0.0) || normals[other].isZero(0.0))
+  if (normal.isZero(0.0F) || other.isZero(0.0F))
   {
-    return 0.0;
+    return 0.0F;
   }
-  const bool alike = WoundAlike(mesh.Triangles[t], mesh.Triangles[other], a, b);
-  const Vec3 oriented = alike ? normals[other] : Vec3(-normals[other]);
-  return 0.5 * (normals[t] - oriented).squaredNorm();
+  return 0.5F * (woundAlike ? Normal(normal - other) : Normal(normal + other)).squaredNorm();
 }
 
-/// Whether the other triangle falls away behind this one.
-bool IsConvex(const Mesh& mesh, const Vec3& normal, Index t, Index other, int k)
+float LargestDifference(
+  const Mesh& mesh, const Normals& normals, const std::vector<Index>& ring, Index a, Index b)
 {
-  const Triangle& triangle = mesh.Triangles[t];
-  const Triangle& neighbor = mesh.Triangles[other];
-  const int edge = EdgeBetween(neighbor, triangle[k], triangle[Next(k)]);
-  const Index opposite = neighbor[Next(Next(edge))];
-  return normal.dot(mesh.Points[opposite] - mesh.Points[triangle[k]]) <= 0.0;
-}
-
-double LargestDifference(const Mesh& mesh, const std::vector<Vec3>& normals,
-  const std::vector<Index>& ring, Index a, Index b)
-{
-  double largest = 0.0;
+  float largest = 0.0F;
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     for (std::size_t j = i + 1; j < ring.size(); ++j)
     {
-      largest = std::max(largest, DifferenceAcross(mesh, normals, ring[i], ring[j], a, b));
+      const bool alike = WoundAlike(mesh.Triangles[ring[i]], mesh.Triangles[ring[j]], a, b);
+      largest = std::max(largest, DifferenceOf(normals[ring[i]], normals[ring[j]], alike));
     }
   }
   return largest;
 }
 
-/// Writes the fold of edge k of `t` for both triangles there; only the lower one of them does.
+/// Writes the fold of edge k of `t` for both triangles there: of the other one it is edge `there`.
 void FindManifoldFold(
-  const Mesh& mesh, const std::vector<Vec3>& normals, Index t, int k, Index other, Folds& folds)
+  const Mesh& mesh, const Normals& normals, Index t, int k, Index other, int there, Folds& folds)
 {
-  const Index a = mesh.Triangles[t][k];
-  const Index b = mesh.Triangles[t][Next(k)];
-  const double fold = DifferenceAcross(mesh, normals, t, other, a, b);
-  const bool convex = IsConvex(mesh, normals[t], t, other, k);
-  const int there = EdgeBetween(mesh.Triangles[other], a, b);
-  folds.Differences[t][k] = static_cast<float>(convex ? fold : -fold);
+  const Triangle& triangle = mesh.Triangles[t];
+  const Triangle& neighbor = mesh.Triangles[other];
+  const bool alike = neighbor[there] != triangle[k];
+  const float fold = DifferenceOf(normals[t], normals[other], alike);
+  // Whether the other triangle falls away behind this one.
+  const Vec3 across = mesh.Points[neighbor[Next(Next(there))]] - mesh.Points[triangle[k]];
+  const bool convex = normals[t].cast<double>().dot(across) <= 0.0;
+  folds.Differences[t][k] = convex ? fold : -fold;
   folds.Differences[other][there] = folds.Differences[t][k];
   folds.Kinds[t][k] = convex ? EdgeKind::Convex : EdgeKind::Concave;
   folds.Kinds[other][there] = folds.Kinds[t][k];
 }
 
-void FindFold(const Mesh& mesh, const Connectivity& connectivity, const std::vector<Vec3>& normals,
+/// Likewise for all triangles of a ring, if `t` is the lowest of them.
+void FindNonManifoldFold(const Mesh& mesh, const Connectivity& connectivity, const Normals& normals,
   Index t, int k, Folds& folds)
 {
-  const Index other = connectivity.AcrossEdge[t][k];
   const Index a = mesh.Triangles[t][k];
   const Index b = mesh.Triangles[t][Next(k)];
+  std::vector<Index> ring;
+  RingOfEdge(mesh, connectivity, t, k, ring);
+  if (*std::min_element(ring.begin(), ring.end()) != t)
+  {
+    return;
+  }
+  const float largest = LargestDifference(mesh, normals, ring, a, b);
+  for (const Index around : ring)
+  {
+    const int there = EdgeBetween(mesh.Triangles[around], a, b);
+    folds.Differences[around][there] = largest;
+    folds.Kinds[around][there] = EdgeKind::NonManifold;
+  }
+}
+
+/// Writes the fold of edge k of `t` unless a lower triangle there does.
+void FindFold(const Mesh& mesh, const Connectivity& connectivity, const Normals& normals, Index t,
+  int k, Folds& folds)
+{
+  const Index other = connectivity.AcrossEdge[t][k];
   if (other == NoIndex)
   {
     folds.Differences[t][k] = 0.0F;
     folds.Kinds[t][k] = EdgeKind::Boundary;
   }
-  else if (connectivity.AcrossEdge[other][EdgeBetween(mesh.Triangles[other], a, b)] != t)
+  else if (t < other) // as it is for the lowest one of a ring, too
   {
-    std::vector<Index> ring;
-    RingOfEdge(mesh, connectivity, t, k, ring);
-    std::sort(ring.begin(), ring.end()); // so that all triangles of the ring agree to the last bit
-    folds.Differences[t][k] = static_cast<float>(LargestDifference(mesh, normals, ring, a, b));
-    folds.Kinds[t][k] = EdgeKind::NonManifold;
-  }
-  else if (t < other)
-  {
-    FindManifoldFold(mesh, normals, t, k, other, folds);
+    const Triangle& triangle = mesh.Triangles[t];
+    const int there = EdgeBetween(mesh.Triangles[other], triangle[k], triangle[Next(k)]);
+    if (connectivity.AcrossEdge[other][there] == t)
+    {
+      FindManifoldFold(mesh, normals, t, k, other, there, folds);
+    }
+    else
+    {
+      FindNonManifoldFold(mesh, connectivity, normals, t, k, folds);
+    }
   }
 }
 }
@@ -182,7 +215,7 @@ void RingOfEdge(
 
 Folds FindFolds(const Mesh& mesh, const Connectivity& connectivity, const Monitor& monitor)
 {
-  const std::vector<Vec3> normals = BelievedNormals(mesh, connectivity);
+  const Normals normals = BelievedNormals(mesh, connectivity);
   Folds folds;
   folds.Differences.resize(mesh.Triangles.size());
   folds.Kinds.resize(mesh.Triangles.size());

@@ -30,8 +30,8 @@ struct Folds
   /// 1 - n1.n2 of the triangles at the edge, negative where it is concave; 0 on the boundary; the
   /// largest of any two triangles at a non-manifold edge. A triangle wound against its neighbour is
   /// read the other way round.
-  std::vector<std::array<float, 3>> Differences;
-  std::vector<std::array<EdgeKind, 3>> Kinds;
+  Unfilled<std::array<float, 3>> Differences;
+  Unfilled<std::array<EdgeKind, 3>> Kinds;
 };
 
 /// The folds of all edges; without entries if the monitor stopped it. A triangle so thin that the

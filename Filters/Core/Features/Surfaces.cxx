@@ -126,24 +126,38 @@ Index NumberSurfaces(const Connectivity& connectivity, const std::vector<unsigne
   return count;
 }
 
-/// Areas summed in the order of storage, which no thread can change.
+/// Areas summed in the order of storage, which no thread can change: they are found on all threads,
+/// a block at a time.
 std::vector<SurfaceMeasures> Measure(
   const Mesh& mesh, const std::vector<Index>& ids, std::size_t count)
 {
-  std::vector<double> areas(ids.size());
-  ParallelFor(mesh.TriangleCount(),
-    [&](Index begin, Index end)
-    {
-      for (Index t = begin; t < end; ++t)
-      {
-        areas[t] = 0.5 * Corners(mesh, t).AreaVector().norm();
-      }
-    });
+  constexpr Index Block = 65536;
+  std::vector<double> areas(Block);
   std::vector<SurfaceMeasures> measures(count);
-  for (std::size_t t = 0; t < ids.size(); ++t)
+  for (Index first = 0; first < mesh.TriangleCount(); first += Block)
   {
-    measures[ids[t]].Area += areas[t];
-    ++measures[ids[t]].Triangles;
+    const Index size = std::min(Block, mesh.TriangleCount() - first);
+    ParallelFor(size,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          areas[i] = 0.5 * Corners(mesh, first + i).AreaVector().norm();
+        }
+      });
+    // Triangles of one surface mostly come one after the other: its sum need not go to memory.
+    for (Index i = 0; i < size;)
+    {
+      const Index id = ids[first + i];
+      const Index start = i;
+      double area = measures[id].Area;
+      for (; i < size && ids[first + i] == id; ++i)
+      {
+        area += areas[i];
+      }
+      measures[id].Area = area;
+      measures[id].Triangles += i - start;
+    }
   }
   return measures;
 }
@@ -162,10 +176,14 @@ void SortByArea(Surfaces& surfaces)
     rank[byArea[i]] = static_cast<Index>(i);
     sorted.push_back(surfaces.Measures[byArea[i]]);
   }
-  for (Index& id : surfaces.Ids)
-  {
-    id = rank[id];
-  }
+  ParallelFor(static_cast<Index>(surfaces.Ids.size()),
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        surfaces.Ids[t] = rank[surfaces.Ids[t]];
+      }
+    });
   surfaces.Measures = std::move(sorted);
 }
 
@@ -222,7 +240,8 @@ void CountLoops(const Mesh& mesh, const Connectivity& connectivity,
       loops.Add(surfaces.Ids[around], edge.A, edge.B);
     }
   }
-  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  const bool open = HasBoundary(connectivity);
+  for (Index t = 0; open && t < mesh.TriangleCount(); ++t)
   {
     for (int k = 0; k < 3; ++k)
     {

@@ -16,6 +16,10 @@ namespace
 /// sphere, or in noise, they are alike.
 constexpr double Concentration = 4.0;
 
+/// Triangles of larger fans may be too thin for folds between them to be known (see Folds), and
+/// these too small.
+constexpr Index LargestFan = 16;
+
 /// Adds up angles from 0 to half a turn by turning a direction by each of them: that takes one arc
 /// tangent for all.
 class AngleSum
@@ -66,24 +70,41 @@ double AngleAround(const Mesh& mesh, IndexSpan triangles, Index vertex)
   return sum.Get();
 }
 
-/// What the angles around each vertex lack to a full turn, in radians: the curvature it bears.
-/// 0 on the boundary.
-std::vector<double> AngleDefects(const Mesh& mesh, const Connectivity& connectivity)
+/// What the angles around a vertex lack to a full turn, in radians: the curvature it bears. 0 on
+/// the boundary.
+double AngleDefect(const Mesh& mesh, const Connectivity& connectivity, Index vertex)
 {
-  std::vector<double> defects(mesh.Points.size(), 0.0);
-  ParallelFor(mesh.VertexCount(),
-    [&](Index begin, Index end)
+  const IndexSpan triangles = connectivity.TrianglesOfVertex[vertex];
+  return connectivity.OnBoundary[vertex] || triangles.empty()
+    ? 0.0
+    : 2.0 * Pi - AngleAround(mesh, triangles, vertex);
+}
+
+/// The vertices whose folds may be enough for a defect. The normals around a vertex run round a
+/// curve on the unit sphere, as long as the angles of the folds together, and the defect is the
+/// area inside: of all curves a circle has the most. So one fold of as many as there are in a fan
+/// must be this part of that; an angle is no more than pi / sqrt(2) times the root of the
+/// difference of its normals, which takes no function to be told.
+Flags MayLack(double defect, const Mesh& mesh, const Connectivity& connectivity, const Folds& folds)
+{
+  const double least = defect * (4.0 * Pi - defect) / (0.5 * Pi * Pi * LargestFan * LargestFan);
+  Flags may(mesh.Points.size(), 0);
+  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
     {
-      for (Index v = begin; v < end; ++v)
+      if (std::abs(folds.Differences[t][k]) >= least)
       {
-        const IndexSpan triangles = connectivity.TrianglesOfVertex[v];
-        if (!connectivity.OnBoundary[v] && !triangles.empty())
-        {
-          defects[v] = 2.0 * Pi - AngleAround(mesh, triangles, v);
-        }
+        may[mesh.Triangles[t][k]] = may[mesh.Triangles[t][Next(k)]] = 1;
       }
-    });
-  return defects;
+    }
+  }
+  const std::vector<Index>& offsets = connectivity.TrianglesOfVertex.Offsets;
+  for (Index v = 0; v < mesh.VertexCount(); ++v)
+  {
+    may[v] |= offsets[v + 1] - offsets[v] > LargestFan ? 1 : 0;
+  }
+  return may;
 }
 
 TipKind KindAt(const Mesh& mesh, const Connectivity& connectivity, Index v)
@@ -99,32 +120,39 @@ TipKind KindAt(const Mesh& mesh, const Connectivity& connectivity, Index v)
 }
 
 std::vector<TipKind> FindTips(const Mesh& mesh, const Connectivity& connectivity,
-  const Flags& edged, double tipAngle, const Monitor& monitor)
+  const Folds& folds, const Flags& edged, double tipAngle, const Monitor& monitor)
 {
-  const std::vector<double> defects = AngleDefects(mesh, connectivity);
   // Flanks that fold by an angle across the apex lean by half of it.
   const double least = 2.0 * Pi * (1.0 - std::cos(0.5 * tipAngle * Pi / 180.0));
+  const auto kind = [&](Index v)
+  {
+    const double defect = AngleDefect(mesh, connectivity, v);
+    if (defect <= least)
+    {
+      return TipKind::None;
+    }
+    const IndexSpan neighbors = connectivity.NeighborsOfVertex[v];
+    double sum = defect; // of the disc around: no noise within it changes that
+    double around = 0.0;
+    for (const Index neighbor : neighbors)
+    {
+      const double other = edged[neighbor] ? 0.0 : AngleDefect(mesh, connectivity, neighbor);
+      sum += other;
+      around += std::abs(other);
+    }
+    const bool sharp = sum > least && defect * neighbors.size() > Concentration * around;
+    return sharp ? KindAt(mesh, connectivity, v) : TipKind::None;
+  };
+  const Flags may = MayLack(least, mesh, connectivity, folds);
   std::vector<TipKind> tips(mesh.Points.size(), TipKind::None);
   const bool finished = ParallelFor(mesh.VertexCount(), monitor,
     [&](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
-        if (edged[v] || defects[v] <= least)
+        if (may[v] && !edged[v])
         {
-          continue;
-        }
-        const IndexSpan neighbors = connectivity.NeighborsOfVertex[v];
-        double sum = defects[v]; // of the disc around: no noise within it changes that
-        double around = 0.0;
-        for (const Index neighbor : neighbors)
-        {
-          sum += edged[neighbor] ? 0.0 : defects[neighbor];
-          around += edged[neighbor] ? 0.0 : std::abs(defects[neighbor]);
-        }
-        if (sum > least && defects[v] * neighbors.size() > Concentration * around)
-        {
-          tips[v] = KindAt(mesh, connectivity, v);
+          tips[v] = kind(v);
         }
       }
     });

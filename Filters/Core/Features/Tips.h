@@ -7,8 +7,7 @@
 #ifndef arris_Features_Tips_h
 #define arris_Features_Tips_h
 
-#include "Core/Mesh.h"
-#include "Core/Parallel.h"
+#include "Folds.h"
 
 #include "ArrisFiltersModule.h" // for the export macro
 
@@ -24,7 +23,8 @@ enum class TipKind : unsigned char
 /// For each vertex whether it is a tip: see FindFeatureCorners. Vertices that are flagged `edged`,
 /// on the boundary or on non-manifold edges are none. Empty if the monitor stopped it.
 ARRISFILTERS_EXPORT std::vector<TipKind> FindTips(const Mesh& mesh,
-  const Connectivity& connectivity, const Flags& edged, double tipAngle, const Monitor& monitor);
+  const Connectivity& connectivity, const Folds& folds, const Flags& edged, double tipAngle,
+  const Monitor& monitor);
 }
 
 #endif

@@ -36,7 +36,9 @@ inline FeatureCriteria PlainCriteria(double angle)
 inline std::vector<FeatureEdge> Select(const Mesh& mesh, const FeatureCriteria& criteria)
 {
   std::vector<FeatureEdge> edges;
-  SelectFeatures(mesh, Connectivity(mesh), criteria, Monitor(), edges);
+  const Connectivity connectivity(mesh);
+  SelectFeatures(mesh, connectivity, FindFolds(mesh, connectivity, Monitor()), criteria, Monitor(),
+    edges);
   return edges;
 }
 

@@ -43,8 +43,9 @@ Mesh Cone(double halfAngle, Index segments, Index rows)
 std::vector<FeatureCorner> CornersOf(const FeatureMesh& mesh)
 {
   std::vector<FeatureCorner> corners;
-  FindFeatureCorners(
-    mesh.Surface, mesh.Adjacency, mesh.Network, mesh.Edges, 30.0, Monitor(), corners);
+  FindFeatureCorners(mesh.Surface, mesh.Adjacency,
+    FindFolds(mesh.Surface, mesh.Adjacency, Monitor()), mesh.Network, mesh.Edges, 30.0, Monitor(),
+    corners);
   return corners;
 }
 
@@ -165,6 +166,8 @@ TEST(FeatureCorners, NorInNoise)
     point += 0.15 * Vec3(dice(), dice(), dice());
   }
   std::vector<FeatureCorner> corners;
-  FindFeatureCorners(plate, Connectivity(plate), CurveNetwork(), {}, 30.0, Monitor(), corners);
+  const Connectivity connectivity(plate);
+  FindFeatureCorners(plate, connectivity, FindFolds(plate, connectivity, Monitor()), CurveNetwork(),
+    {}, 30.0, Monitor(), corners);
   EXPECT_TRUE(corners.empty());
 }

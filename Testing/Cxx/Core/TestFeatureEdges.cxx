@@ -196,7 +196,10 @@ TEST(FeatureEdges, GiveNothingWhenStopped)
 {
   const Mesh mesh = Box(2, 2, 2);
   std::vector<FeatureEdge> edges;
-  EXPECT_FALSE(SelectFeatures(
-    mesh, Connectivity(mesh), PlainCriteria(30.0), Monitor([](double) { return false; }), edges));
+  const Connectivity connectivity(mesh);
+  const Monitor stopped([](double) { return false; });
+  EXPECT_TRUE(FindFolds(mesh, connectivity, stopped).Kinds.empty());
+  EXPECT_FALSE(SelectFeatures(mesh, connectivity, FindFolds(mesh, connectivity, Monitor()),
+    PlainCriteria(30.0), stopped, edges));
   EXPECT_TRUE(edges.empty());
 }
