@@ -44,8 +44,8 @@ struct Corners
 };
 
 /// The normals of the triangles around a vertex, twice their areas long, added up.
-inline Vec3 AreaVectorAround(const Triangles& triangles, const std::vector<Vec3>& points,
-  const Connectivity& connectivity, Index vertex)
+inline Vec3 AreaVectorAround(const std::vector<Triangle>& triangles,
+  const std::vector<Vec3>& points, const Connectivity& connectivity, Index vertex)
 {
   Vec3 sum = Vec3::Zero();
   for (Index t : connectivity.TrianglesOfVertex[vertex])

@@ -14,14 +14,12 @@
 
 namespace arris
 {
-using Triangles = Unfilled<Triangle>;
-
 /// Points (any length unit) and the triangles on them. No triangle names a vertex twice, and every
 /// index is in range: whoever fills a Mesh sees to it.
 struct Mesh
 {
   std::vector<Vec3> Points;
-  arris::Triangles Triangles;
+  std::vector<Triangle> Triangles;
 
   Index VertexCount() const { return static_cast<Index>(this->Points.size()); }
   Index TriangleCount() const { return static_cast<Index>(this->Triangles.size()); }

@@ -101,7 +101,7 @@ std::string ReadPoints(vtkPolyData* input, std::vector<Vec3>& points)
 struct TriangleReader
 {
   template <typename CellState>
-  bool operator()(CellState& state, vtkIdType pointCount, Triangles& triangles) const
+  bool operator()(CellState& state, vtkIdType pointCount, std::vector<Triangle>& triangles) const
   {
     const auto* offsets = state.GetOffsets()->GetPointer(0);
     const auto* ids = state.GetConnectivity()->GetPointer(0);
@@ -251,7 +251,7 @@ std::string Triangulate(vtkPolyData* input, vtkPolyData* output)
 /// Takes over the cells that are triangles of three different points.
 void FillTriangles(vtkPolyData* output, Surface& surface)
 {
-  Triangles& triangles = surface.Triangulation.Triangles;
+  std::vector<Triangle>& triangles = surface.Triangulation.Triangles;
   const vtkIdType before = output->GetNumberOfVerts() + output->GetNumberOfLines();
   triangles.clear();
   const auto cell = vtk::TakeSmartPointer(output->GetPolys()->NewIterator());

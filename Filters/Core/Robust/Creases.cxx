@@ -12,7 +12,7 @@ namespace arris
 namespace
 {
 Vec3 AreaVector(
-  const Triangles& triangles, const std::vector<Vec3>& points, Index triangle)
+  const std::vector<Triangle>& triangles, const std::vector<Vec3>& points, Index triangle)
 {
   const Triangle& c = triangles[triangle];
   return Corners(points[c[0]], points[c[1]], points[c[2]]).AreaVector();
@@ -24,7 +24,7 @@ double Crease(const Vec3& edge, const Vec3& left, const Vec3& right)
 }
 }
 
-double CreasesAround(const Triangles& triangles, const Connectivity& connectivity,
+double CreasesAround(const std::vector<Triangle>& triangles, const Connectivity& connectivity,
   const std::vector<Vec3>& points, Index vertex)
 {
   double sum = 0.0;

@@ -21,7 +21,7 @@ namespace arris
 {
 /// The creases of the edges of all triangles at a vertex, were the mesh's vertices at `points`. In
 /// units of length times the root of an angle in radians.
-ARRISFILTERS_EXPORT double CreasesAround(const Triangles& triangles,
+ARRISFILTERS_EXPORT double CreasesAround(const std::vector<Triangle>& triangles,
   const Connectivity& connectivity, const std::vector<Vec3>& points, Index vertex);
 }
 

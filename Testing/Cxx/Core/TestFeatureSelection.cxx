@@ -98,7 +98,7 @@ TEST(FeatureSelection, ExpectedEdgesDoNotLeadAcrossFromOneFeatureToAnother)
       std::find(mesh.Points.begin(), mesh.Points.end(), Vec3(x, y, 2.0)) - mesh.Points.begin());
   };
   const std::array<Index, 4> square = { at(5, 5), at(6, 5), at(6, 6), at(5, 6) };
-  Triangles& triangles = mesh.Triangles;
+  std::vector<Triangle>& triangles = mesh.Triangles;
   triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
                     [&](const Triangle& t)
                     {

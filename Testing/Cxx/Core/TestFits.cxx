@@ -46,7 +46,7 @@ double DistanceFromAxis(const Primitive& shape, const Vec3& point)
 template <typename Accept>
 Mesh Part(Mesh mesh, Accept&& accept)
 {
-  Triangles kept;
+  std::vector<Triangle> kept;
   for (Index t = 0; t < mesh.TriangleCount(); ++t)
   {
     if (accept(Corners(mesh, t).Centroid()))

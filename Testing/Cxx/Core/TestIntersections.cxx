@@ -100,7 +100,7 @@ void AddSphere(Mesh& mesh, int times, const Vec3& center, double radius)
 {
   std::vector<Vec3> points = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
     { 0, 0, -1 } };
-  Triangles triangles = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 },
+  std::vector<Triangle> triangles = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 },
     { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 }, { 0, 3, 5 } };
   for (int i = 0; i < times; ++i)
   {
@@ -114,7 +114,7 @@ void AddSphere(Mesh& mesh, int times, const Vec3& center, double radius)
       }
       return at->second;
     };
-    Triangles finer;
+    std::vector<Triangle> finer;
     for (const auto& [a, b, c] : triangles)
     {
       const Index ab = middle(a, b);
