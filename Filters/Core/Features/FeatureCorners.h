@@ -35,8 +35,8 @@ struct FeatureCorner
 /// fold by more than `tipAngle` (degrees), and not just curves on as it does around. False if the
 /// monitor stopped it.
 ARRISFILTERS_EXPORT bool FindFeatureCorners(const Mesh& mesh, const Connectivity& connectivity,
-  const Folds& folds, const CurveNetwork& network, const std::vector<FeatureEdge>& sortedFeatures, double tipAngle,
-  const Monitor& monitor, std::vector<FeatureCorner>& corners);
+  const Folds& folds, const CurveNetwork& network, const std::vector<FeatureEdge>& sortedFeatures,
+  double tipAngle, const Monitor& monitor, std::vector<FeatureCorner>& corners);
 }
 
 #endif

@@ -20,7 +20,8 @@ namespace arris
 {
 /// Finds the feature edges of a mesh, sorted by A, then B. False if the monitor stopped it.
 ARRISFILTERS_EXPORT bool SelectFeatures(const Mesh& mesh, const Connectivity& connectivity,
-  const Folds& folds, const FeatureCriteria& criteria, const Monitor& monitor, std::vector<FeatureEdge>& edges);
+  const Folds& folds, const FeatureCriteria& criteria, const Monitor& monitor,
+  std::vector<FeatureEdge>& edges);
 }
 
 #endif

@@ -37,8 +37,8 @@ inline std::vector<FeatureEdge> Select(const Mesh& mesh, const FeatureCriteria& 
 {
   std::vector<FeatureEdge> edges;
   const Connectivity connectivity(mesh);
-  SelectFeatures(mesh, connectivity, FindFolds(mesh, connectivity, Monitor()), criteria, Monitor(),
-    edges);
+  SelectFeatures(
+    mesh, connectivity, FindFolds(mesh, connectivity, Monitor()), criteria, Monitor(), edges);
   return edges;
 }
 
