@@ -11,6 +11,9 @@
 
 #include "ArrisFiltersModule.h" // for the export macro
 
+#include <algorithm>
+#include <cmath>
+
 namespace arris
 {
 /// A point that a sheet is fitted to.
@@ -55,6 +58,9 @@ public:
 
   /// Distance from the sheet, to first order; positive outside.
   double Distance(const Vec3& point) const;
+
+  /// The larger of its two curvatures, the inverse of a radius in scales.
+  double Curvature() const { return std::max(std::abs(this->BendingU), std::abs(this->BendingW)); }
 
   /// Unit normal of the sheet below the point, outward.
   Vec3 Normal(const Vec3& point) const;

@@ -40,6 +40,13 @@ constexpr double RoughRidge = 1e-3;
 /// Samples of other patches are used where their normals differ by less than this, in degrees.
 constexpr double LikeNormal = 25.0;
 
+/// Around a rod or bore of few edges' radius there are few such samples. Those whose normals differ
+/// by less than this are tried as well.
+constexpr double WiderNormal = 60.0;
+
+/// Linear interpolation along the edges of a grid leaves that much of a curvature.
+constexpr double OfInterpolation = 0.04;
+
 /// A face of another patch is the continuation of one if a single sheet leaves no more than this of
 /// either (rms, in scales), or this many times what it left of the one: then it is nowhere farther
 /// off than that.
@@ -199,9 +206,11 @@ void SideFinder::Fit(Index vertex, Side& side)
   const double roughness = this->Around.Rough.Degree;
   const FitWindow window = this->WindowFrom(side.Distance, scale);
   const double likeCosine = std::cos(LikeNormal * Pi / 180.0);
+  const double widerCosine = std::cos(WiderNormal * Pi / 180.0);
   Vec3 normal = Vec3::Zero();
   Index piece = NoIndex;
   this->Fitted.clear();
+  this->Wider.clear();
   for (const NearVertex& near : this->Static)
   {
     if (near.Distance > window.Radius)
@@ -215,11 +224,16 @@ void SideFinder::Fit(Index vertex, Side& side)
       piece = this->From.ThePatches.PieceOf[v];
       normal = this->From.Normals[v];
     }
-    const bool alike = piece != NoIndex && this->From.ThePatches.PieceOf[v] == piece &&
-      this->From.Normals[v].dot(normal) >= likeCosine;
-    if (own || alike)
+    const double cosine = piece != NoIndex && this->From.ThePatches.PieceOf[v] == piece
+      ? this->From.Normals[v].dot(normal)
+      : -1.0;
+    if (own || cosine >= likeCosine)
     {
       this->Fitted.push_back(this->SampleAt(near, window.Width));
+    }
+    else if (cosine >= widerCosine)
+    {
+      this->Wider.push_back(this->SampleAt(near, window.Width));
     }
   }
   SheetCaution caution;
@@ -228,11 +242,39 @@ void SideFinder::Fit(Index vertex, Side& side)
   caution.FlatResidual = Mixed(caution.FlatResidual, RoughFlatResidual, roughness);
   caution.Ridge = Mixed(caution.Ridge, RoughRidge, roughness);
   side.Surface = Sheet(this->Fitted, scale, caution);
-  if (!this->Beyond.empty())
+  if (this->Beyond.empty())
+  {
+    this->FitWider(scale, caution, side.Surface);
+  }
+  else
   {
     this->FitBeyond(scale, caution, side.Surface);
   }
   side.Surface.Unblur(this->From.BlurWidth * scale);
+}
+
+void SideFinder::FitWider(double scale, const SheetCaution& caution, Sheet& own)
+{
+  if (this->Wider.empty())
+  {
+    return;
+  }
+  const std::size_t before = this->Fitted.size();
+  const double misfit = MisfitOf(own, this->Fitted, 0, before);
+  this->Fitted.insert(this->Fitted.end(), this->Wider.begin(), this->Wider.end());
+  const Sheet both(this->Fitted, scale, caution);
+  const double most =
+    std::max(std::max(OneFace, OfInterpolation * both.Curvature()) * scale, OneFaceGrowth * misfit);
+  if (both.Curvature() * SampleDepth > LikeNormal * Pi / 180.0 &&
+    MisfitOf(both, this->Fitted, 0, before) <= most &&
+    MisfitOf(both, this->Fitted, before, this->Fitted.size()) <= most)
+  {
+    own = both;
+  }
+  else
+  {
+    this->Fitted.resize(before);
+  }
 }
 
 void SideFinder::FitBeyond(double scale, const SheetCaution& caution, Sheet& own) const

@@ -98,6 +98,9 @@ private:
   FitWindow WindowFrom(double nearest, double scale) const;
   SheetSample SampleAt(const NearVertex& near, double width) const;
 
+  /// Fits a side to all that may be of its face, if one sheet suits it.
+  void FitWider(double scale, const SheetCaution& caution, Sheet& own);
+
   /// Fits a side to its continuations in other patches as well.
   void FitBeyond(double scale, const SheetCaution& caution, Sheet& own) const;
 
@@ -107,6 +110,7 @@ private:
   std::vector<NearVertex> Static; ///< the intact ones, nearest first
   std::vector<std::vector<NearVertex>> Beyond; ///< those of an assembly's other patches, by piece
   std::vector<SheetSample> Fitted;
+  std::vector<SheetSample> Wider; // that may be of the same face, if it is tightly curved
 };
 }
 

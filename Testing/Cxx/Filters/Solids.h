@@ -141,17 +141,21 @@ inline Solid RegularPrism(int sides)
   return Prism(corners, 0.5);
 }
 
-inline Solid CylinderSolid()
+inline Solid RoundSolid(double radius)
 {
-  constexpr double Radius = 0.6;
   constexpr int Steps = 2000;
   std::vector<Point2> circle;
   for (int i = 0; i <= Steps; ++i)
   {
     const double angle = 2.0 * 3.14159265358979323846 * i / Steps;
-    circle.emplace_back(Radius * std::cos(angle), Radius * std::sin(angle));
+    circle.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
-  return { [](const Point2& p) { return Radius - p.norm(); }, 0.5, { circle }, false };
+  return { [radius](const Point2& p) { return radius - p.norm(); }, 0.5, { circle }, false };
+}
+
+inline Solid CylinderSolid()
+{
+  return RoundSolid(0.6);
 }
 
 /// The width of a cell when `samples` points a side sample [-1, 1]^3.
