@@ -10,6 +10,7 @@ on the contour as it came, except for the last pictures.
 """
 
 import argparse
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -18,8 +19,8 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from arris import vtkSharpEdgeExtractor, vtkSharpEdgeReconstruction
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkGlyph3D
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkGlyph3D
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
@@ -30,6 +31,9 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
+sys.path.append(str(Path(__file__).resolve().parents[1] / "Testing" / "Accuracy"))
+from sampling import sampled_solid, zero_contour  # noqa: E402
+
 SAMPLES = 32  # along each side of the grid
 SIZE = (440, 360)  # pixels
 GREY = (0.82, 0.83, 0.86)
@@ -39,29 +43,18 @@ FACES = [(0.93, 0.79, 0.46), (0.55, 0.73, 0.90), (0.66, 0.84, 0.58), (0.90, 0.62
 OUTCOMES = [GREY, (0.25, 0.55, 0.85), (0.40, 0.72, 0.40), RED, RED, (0.95, 0.70, 0.15), GREY]
 
 
-def contour():
-    """A block with one roof-like side and a bore, contoured off its grid."""
-    axis = np.linspace(-1, 1, SAMPLES)
-    z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
-    a, b = np.radians((17, 11))
-    x, y = np.cos(a) * x + np.sin(a) * y, np.cos(a) * y - np.sin(a) * x
-    y, z = np.cos(b) * y + np.sin(b) * z, np.cos(b) * z - np.sin(b) * y
-    block = np.maximum(np.maximum(abs(x) - 0.62, abs(y) - 0.5), abs(z) - 0.45)
-    roof = 0.94 * z + 0.34 * y - 0.38  # 20 degrees off the top
-    bore = 0.2 - np.hypot(x - 0.08, z + 0.115)
-    distance = np.maximum(np.maximum(block, roof), bore)
-    image = vtkImageData()
-    image.SetDimensions(SAMPLES, SAMPLES, SAMPLES)
-    image.SetOrigin(-1, -1, -1)
-    image.SetSpacing(*[2 / (SAMPLES - 1)] * 3)
-    image.GetPointData().SetScalars(numpy_to_vtk(distance.ravel(), deep=True))
-    surface = vtkFlyingEdges3D()
-    surface.SetInputData(image)
-    surface.SetValue(0, 0)
-    surface.ComputeNormalsOff()
-    surface.ComputeScalarsOff()
-    surface.Update()
-    return surface.GetOutput()
+class Block:
+    """A block with one roof-like side and a bore, off the axes of the grid."""
+
+    def distance(self, points):
+        x, y, z = points.T
+        a, b = np.radians((17, 11))
+        x, y = np.cos(a) * x + np.sin(a) * y, np.cos(a) * y - np.sin(a) * x
+        y, z = np.cos(b) * y + np.sin(b) * z, np.cos(b) * z - np.sin(b) * y
+        block = np.maximum(np.maximum(abs(x) - 0.62, abs(y) - 0.5), abs(z) - 0.45)
+        roof = 0.94 * z + 0.34 * y - 0.38  # 20 degrees off the top
+        bore = 0.2 - np.hypot(x - 0.08, z + 0.115)
+        return np.maximum(np.maximum(block, roof), bore)
 
 
 def table(colours):
@@ -160,7 +153,7 @@ def main():
     parser.add_argument("-o", "--output", type=Path,
                         default=Path(__file__).resolve().parent / "images")
     folder = parser.parse_args().output
-    before = contour()
+    before = zero_contour(sampled_solid(Block(), SAMPLES)[0])
     recovery = vtkSharpEdgeReconstruction()
     recovery.SetInputData(before)
     extractor = vtkSharpEdgeExtractor()
