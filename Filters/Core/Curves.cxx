@@ -90,8 +90,7 @@ private:
       {
         return;
       }
-      const Index next = this->Graph.Neighbor(node, 0) == from ? this->Graph.Neighbor(node, 1)
-                                                               : this->Graph.Neighbor(node, 0);
+      const Index next = this->Graph.NeighborBeyond(from, node);
       from = node;
       node = next;
     }

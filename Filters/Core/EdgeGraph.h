@@ -31,6 +31,12 @@ public:
   Index Neighbor(Index node, int i) const { return this->To[this->Offsets[node] + i]; }
   Index Edge(Index node, int i) const { return this->Edges[this->Offsets[node] + i]; }
 
+  /// Where a node of valence two leads who comes from one of its neighbours.
+  Index NeighborBeyond(Index from, Index node) const
+  {
+    return this->Neighbor(node, this->Neighbor(node, 0) == from ? 1 : 0);
+  }
+
 private:
   std::vector<Index> Vertices;
   std::vector<Index> Offsets, To, Edges;

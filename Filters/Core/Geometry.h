@@ -25,10 +25,14 @@ struct Corners
 {
   Vec3 A, B, C;
 
+  Corners(const std::vector<Vec3>& points, const Triangle& triangle)
+    : A(points[triangle[0]])
+    , B(points[triangle[1]])
+    , C(points[triangle[2]])
+  {
+  }
   Corners(const Mesh& mesh, Index triangle)
-    : A(mesh.Points[mesh.Triangles[triangle][0]])
-    , B(mesh.Points[mesh.Triangles[triangle][1]])
-    , C(mesh.Points[mesh.Triangles[triangle][2]])
+    : Corners(mesh.Points, mesh.Triangles[triangle])
   {
   }
   Corners(const Vec3& a, const Vec3& b, const Vec3& c)
@@ -50,8 +54,7 @@ inline Vec3 AreaVectorAround(const std::vector<Triangle>& triangles,
   Vec3 sum = Vec3::Zero();
   for (Index t : connectivity.TrianglesOfVertex[vertex])
   {
-    const Triangle& c = triangles[t];
-    sum += Corners(points[c[0]], points[c[1]], points[c[2]]).AreaVector();
+    sum += Corners(points, triangles[t]).AreaVector();
   }
   return sum;
 }

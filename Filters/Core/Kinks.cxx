@@ -60,8 +60,7 @@ private:
     while (nodes.size() <= edges && !this->Junctions[nodes.back()] && nodes.back() != start)
     {
       const Index from = nodes[nodes.size() - 2];
-      const int on = this->Graph.Neighbor(nodes.back(), 0) == from ? 1 : 0;
-      nodes.push_back(this->Graph.Neighbor(nodes.back(), on));
+      nodes.push_back(this->Graph.NeighborBeyond(from, nodes.back()));
     }
     return nodes;
   }

@@ -70,6 +70,12 @@ struct ARRISFILTERS_EXPORT Connectivity
 /// Whether any edge has other than two triangles.
 bool HasBoundary(const Connectivity& connectivity);
 
+/// Whether two triangles are of one patch, as all are that are in no assembly.
+inline bool AreOnePatch(const Connectivity& connectivity, Index a, Index b)
+{
+  return connectivity.PatchOf.empty() || connectivity.PatchOf[a] == connectivity.PatchOf[b];
+}
+
 /// 1 for the ends of edges with one triangle.
 Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity);
 

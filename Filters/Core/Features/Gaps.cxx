@@ -123,7 +123,7 @@ Vec3 DirectionAt(const EdgeGraph& graph, const std::vector<Vec3>& points, Index 
   Index node = graph.Neighbor(end, 0);
   for (int i = 1; i < edges && graph.Valence(node) == 2; ++i)
   {
-    const Index next = graph.Neighbor(node, graph.Neighbor(node, 0) == from ? 1 : 0);
+    const Index next = graph.NeighborBeyond(from, node);
     from = node;
     node = next;
   }

@@ -14,8 +14,7 @@ namespace
 Vec3 AreaVector(
   const std::vector<Triangle>& triangles, const std::vector<Vec3>& points, Index triangle)
 {
-  const Triangle& c = triangles[triangle];
-  return Corners(points[c[0]], points[c[1]], points[c[2]]).AreaVector();
+  return Corners(points, triangles[triangle]).AreaVector();
 }
 
 double Crease(const Vec3& edge, const Vec3& left, const Vec3& right)

@@ -12,9 +12,6 @@ namespace arris
 {
 namespace
 {
-/// Better than this a triangle need not become: what untangling is content with.
-constexpr double GoodEnough = 0.15;
-
 /// A flip has to gain as much as tells a triangle from one without area.
 constexpr double LeastGain = 0.01;
 
@@ -77,7 +74,11 @@ private:
     std::vector<Flip> flips;
     for (Index t = 0; t < this->TheMesh.TriangleCount(); ++t)
     {
-      for (int k = 0; this->IsPoor(t) && k < 3; ++k)
+      if (!this->IsPoor(t))
+      {
+        continue;
+      }
+      for (int k = 0; k < 3; ++k)
       {
         Flip flip;
         if (this->Describe(t, k, flip) && this->Measure(flip))
@@ -91,7 +92,8 @@ private:
 
   bool IsPoor(Index t) const
   {
-    return this->ThePlacement.LabelOf(t) != NoIndex && this->ThePlacement.Quality(t) < GoodEnough;
+    return this->ThePlacement.LabelOf(t) != NoIndex &&
+      this->ThePlacement.Quality(t) < GoodEnoughQuality;
   }
 
   bool IsFree(Index v) const
@@ -131,8 +133,9 @@ private:
   {
     const std::array<Triangle, 2> before = { this->TheMesh.Triangles[flip.Triangles[0]],
       this->TheMesh.Triangles[flip.Triangles[1]] };
-    const Vec3 facing = Corners(this->TheMesh, flip.Triangles[0]).AreaVector() +
-      Corners(this->TheMesh, flip.Triangles[1]).AreaVector();
+    const Vec3 facing = (Corners(this->TheMesh, flip.Triangles[0]).AreaVector() +
+      Corners(this->TheMesh, flip.Triangles[1]).AreaVector())
+                          .normalized();
     const double now = this->Worse(flip.Triangles);
     this->Set(flip.Triangles, flip.After);
     flip.Gain = this->Worse(flip.Triangles) - now;
@@ -184,7 +187,7 @@ private:
 
   double UnmovedQuality(Index t, const Vec3& facing) const
   {
-    return ShapeQuality(Corners(this->TheMesh, t), facing.normalized());
+    return ShapeQuality(Corners(this->TheMesh, t), facing);
   }
 
   Mesh& TheMesh;

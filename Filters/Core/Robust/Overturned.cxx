@@ -14,11 +14,6 @@ namespace
 /// Of the cosine between the normals of two triangles that lie on each other, to 10 degrees.
 constexpr double FoldedSquare = 0.969846310;
 
-Vec3 AreaVector(const Triangle& corners, const std::vector<Vec3>& points)
-{
-  return Corners(points[corners[0]], points[corners[1]], points[corners[2]]).AreaVector();
-}
-
 /// Whether triangles with these area vectors lie on each other, if they have an edge in common.
 bool AreFolded(const Vec3& a, const Vec3& b)
 {
@@ -40,22 +35,17 @@ bool FacesAgainstAll(
         return std::all_of(around.begin(), around.end(), isAgainst);
       });
 }
-
-/// Whether both are of one patch of an assembly; patches face as they please.
-bool AreOnePatch(const Connectivity& connectivity, Index a, Index b)
-{
-  return connectivity.PatchOf.empty() || connectivity.PatchOf[a] == connectivity.PatchOf[b];
-}
 }
 
 bool IsOverturned(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<Vec3>& points, Index triangle)
 {
-  const Vec3 area = AreaVector(mesh.Triangles[triangle], points);
+  const Vec3 area = Corners(points, mesh.Triangles[triangle]).AreaVector();
   for (Index beyond : connectivity.AcrossEdge[triangle])
   {
-    if (beyond != NoIndex && AreFolded(area, AreaVector(mesh.Triangles[beyond], points)) &&
-      AreOnePatch(connectivity, triangle, beyond) &&
+    if (beyond != NoIndex &&
+      AreFolded(area, Corners(points, mesh.Triangles[beyond]).AreaVector()) &&
+      AreOnePatch(connectivity, triangle, beyond) && // patches face as they please
       !AreFolded(Corners(mesh, triangle).AreaVector(), Corners(mesh, beyond).AreaVector()))
     {
       return true;

@@ -227,8 +227,7 @@ double ShapeQuality(const Corners& corners, const Vec3& expected)
 
 double Placement::Quality(Index t) const
 {
-  const Triangle& c = this->TheMesh.Triangles[t];
-  const Corners corners(this->Points[c[0]], this->Points[c[1]], this->Points[c[2]]);
+  const Corners corners(this->Points, this->TheMesh.Triangles[t]);
   const Sheet* sheet = this->SheetOf(t);
   const Vec3 expected = sheet ? sheet->Normal(corners.Centroid())
                               : Vec3(Corners(this->TheMesh, t).AreaVector().normalized());

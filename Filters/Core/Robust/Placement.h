@@ -22,6 +22,9 @@ namespace arris
 /// `expected`, a unit vector.
 double ShapeQuality(const Corners& corners, const Vec3& expected);
 
+/// Better than this a triangle need not become.
+constexpr double GoodEnoughQuality = 0.15;
+
 class ARRISFILTERS_EXPORT Placement
 {
 public:

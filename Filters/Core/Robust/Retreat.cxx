@@ -199,7 +199,7 @@ private:
   /// Takes back what makes two triangles cut each other. `moved` is kept as it is now.
   void Part(const std::array<Index, 2>& pair, Mesh& moved, std::vector<Index>& changed)
   {
-    if (this->AreOfTwoPatches(pair))
+    if (!AreOnePatch(this->TheConnectivity, pair[0], pair[1]))
     {
       if (!CutThrough(moved, pair[0], pair[1]) || this->PartPatches(pair, moved, changed))
       {
@@ -214,12 +214,6 @@ private:
         moved.Points[v] = this->ThePlacement.PointOf(v);
       }
     }
-  }
-
-  bool AreOfTwoPatches(const std::array<Index, 2>& pair) const
-  {
-    const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
-    return !patchOf.empty() && patchOf[pair[0]] != patchOf[pair[1]];
   }
 
   /// Takes one vertex back, no farther than needed: where patches meet they are near each other all

@@ -75,14 +75,15 @@ public:
     {
       return {};
     }
-    for (int pass = 0; pass < RecoveryPasses && !(pass > 0 && this->IsMovedAllOver()); ++pass)
+    for (bool done = false; !done; ++this->Pass)
     {
-      this->IsLast = pass + 1 == RecoveryPasses;
       const double part = (1.0 - Smooth) / RecoveryPasses;
-      if (!this->RunPass(this->TheMonitor.Part(Smooth + pass * part, Smooth + (pass + 1) * part)))
+      const double start = Smooth + this->Pass * part;
+      if (!this->RunPass(this->TheMonitor.Part(start, Smooth + (this->Pass + 1) * part)))
       {
         return {};
       }
+      done = this->IsLastPass();
     }
     if (!this->TheMonitor.Report(1.0))
     {
@@ -102,6 +103,9 @@ private:
   /// Whether noise or a blur has moved what is intact as well. A second pass would hold what the
   /// first has recovered against it.
   bool IsMovedAllOver() const { return this->IsRough() || this->Result.Rounding > BlurRounding; }
+
+  /// Once the sharp region is known.
+  bool IsLastPass() const { return this->Pass + 1 == RecoveryPasses || this->IsMovedAllOver(); }
 
   std::size_t WholeCount() const
   {
@@ -350,7 +354,7 @@ private:
     LiftEars(mesh.Now, mesh.TheConnectivity, mesh.Scales, placement);
     const std::vector<Vec3> wanted = placement.AllPoints();
     Retreat(this->IsRough() ? mesh.Before : mesh.Now, mesh.TheConnectivity, placement);
-    if (this->IsLast || this->IsMovedAllOver())
+    if (this->IsLastPass())
     {
       TurnBack(mesh.Before, mesh.TheConnectivity, placement);
     }
@@ -404,10 +408,10 @@ private:
   Flippable* MayFlip; ///< input and connectivity where edges may be flipped, else null
   std::vector<double> Scales;
   RobustResult Result;
+  int Pass = 0; ///< 0, 1, ...
 
   // Of the pass.
   Mesh Work; ///< what the passes before have made of the input, or of its smooth copy
-  bool IsLast = false;
   Flags Moved; ///< by the pass before
   std::vector<Turn> Turns;
   Flags Region;

@@ -66,6 +66,14 @@ double MisfitOf(
   }
   return weights > 0.0 ? std::sqrt(sum / weights) : 0.0;
 }
+
+/// Whether a sheet is no farther than `most` from the samples up to `split`, and from the others.
+bool SuitsBoth(
+  const Sheet& sheet, const std::vector<SheetSample>& samples, std::size_t split, double most)
+{
+  return MisfitOf(sheet, samples, 0, split) <= most &&
+    MisfitOf(sheet, samples, split, samples.size()) <= most;
+}
 }
 
 double SideFinder::Reach(double roughness)
@@ -266,8 +274,7 @@ void SideFinder::FitWider(double scale, const SheetCaution& caution, Sheet& own)
   const double most =
     std::max(std::max(OneFace, OfInterpolation * both.Curvature()) * scale, OneFaceGrowth * misfit);
   if (both.Curvature() * SampleDepth > LikeNormal * Pi / 180.0 &&
-    MisfitOf(both, this->Fitted, 0, before) <= most &&
-    MisfitOf(both, this->Fitted, before, this->Fitted.size()) <= most)
+    SuitsBoth(both, this->Fitted, before, most))
   {
     own = both;
   }
@@ -307,8 +314,7 @@ void SideFinder::FitBeyond(double scale, const SheetCaution& caution, Sheet& own
       continue;
     }
     const Sheet both(samples, scale, caution);
-    if (MisfitOf(both, samples, 0, before) <= most &&
-      MisfitOf(both, samples, before, samples.size()) <= most)
+    if (SuitsBoth(both, samples, before, most))
     {
       own = both;
     }

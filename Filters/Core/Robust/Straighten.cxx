@@ -221,8 +221,7 @@ private:
   double Misfit(Index t, const Sheet& face) const
   {
     const std::vector<Vec3>& points = this->ThePlacement.AllPoints();
-    const Triangle& c = this->TheMesh.Triangles[t];
-    const Corners corners(points[c[0]], points[c[1]], points[c[2]]);
+    const Corners corners(points, this->TheMesh.Triangles[t]);
     const double turn =
       1.0 - face.Normal(corners.Centroid()).dot(corners.AreaVector().normalized());
     return std::abs(face.Distance(corners.A)) + std::abs(face.Distance(corners.B)) +

@@ -5,7 +5,6 @@
 
 #include "Core/Geometry.h"
 #include "Core/SortUnique.h"
-
 #include "Overturned.h"
 
 #include <algorithm>
@@ -19,9 +18,6 @@ namespace
 {
 /// Triangles under this quality are mended.
 constexpr double BadQuality = 0.01;
-
-/// Better than this a triangle need not become.
-constexpr double GoodEnough = 0.15;
 
 /// A change that gains less is one of rounding.
 constexpr double LeastGain = 1e-6;
@@ -144,9 +140,9 @@ private:
     double possible = this->MostWorth(triangles);
     for (Index t : triangles)
     {
-      const double quality = std::min(this->ThePlacement.Quality(t), GoodEnough);
+      const double quality = std::min(this->ThePlacement.Quality(t), GoodEnoughQuality);
       worth += quality;
-      possible += quality - GoodEnough;
+      possible += quality - GoodEnoughQuality;
       if (possible > least && this->IsOver(t))
       {
         worth -= 1.0;
@@ -160,7 +156,7 @@ private:
     return worth;
   }
 
-  static double MostWorth(IndexSpan triangles) { return GoodEnough * triangles.size(); }
+  static double MostWorth(IndexSpan triangles) { return GoodEnoughQuality * triangles.size(); }
 
   double Worth(const std::vector<Index>& triangles) const
   {
@@ -297,7 +293,8 @@ private:
       for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
       {
         const Index label = this->ThePlacement.LabelOf(t);
-        if (label != NoIndex && label != own && this->AreOnePatch(t, bad))
+        if (label != NoIndex && label != own && // labels stay within a patch
+          AreOnePatch(this->TheConnectivity, t, bad))
         {
           labels.push_back(label);
         }
@@ -336,13 +333,6 @@ private:
       this->Apply(*bestGroup, bestLabel, vertices);
       this->Touched.insert(this->Touched.end(), vertices.begin(), vertices.end());
     }
-  }
-
-  /// Labels stay within a patch of an assembly.
-  bool AreOnePatch(Index a, Index b) const
-  {
-    const std::vector<Index>& patchOf = this->TheConnectivity.PatchOf;
-    return patchOf.empty() || patchOf[a] == patchOf[b];
   }
 
   void Apply(const std::vector<Index>& group, Index label, const std::vector<Index>& vertices)
