@@ -9,15 +9,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace arris
 {
 namespace
 {
+using AcrossEdges = Unfilled<std::array<Index, 3>>; // as in Connectivity
+
 /// Calls visit(triangle) for each triangle around edge k of `first`, that one first.
 template <typename Visit>
 void ForEachAround(
-  const Mesh& mesh, const Connectivity& connectivity, Index first, int k, Visit&& visit)
+  const Mesh& mesh, const AcrossEdges& acrossEdge, Index first, int k, Visit&& visit)
 {
   const Index a = mesh.Triangles[first][k];
   const Index b = mesh.Triangles[first][Next(k)];
@@ -32,7 +35,7 @@ void ForEachAround(
       ++edge;
     }
     visit(t);
-    t = connectivity.AcrossEdge[t][edge];
+    t = acrossEdge[t][edge];
   } while (t != NoIndex && t != first);
 }
 
@@ -41,54 +44,70 @@ bool HasSeveralIds(const std::vector<Index>& ids)
   return std::any_of(ids.begin(), ids.end(), [&](Index id) { return id != ids.front(); });
 }
 
-/// Whether each edge of a triangle has one other triangle that runs along it in the opposite
-/// direction.
-bool ContinuesAllRound(const Mesh& mesh, const Connectivity& connectivity, Index t)
+/// How the edges of a mesh go on.
+struct EdgeFacts
 {
+  /// No edge has more than two triangles, and the two run along it in opposite directions.
+  bool AllOriented = true;
+  bool AllClosed = true; ///< each has two
+  bool AnyTwice = false; ///< two neighbours have all vertices in common
+};
+
+/// Looks across the edges of one triangle.
+EdgeFacts FactsOf(const Mesh& mesh, const Connectivity& connectivity, Index t)
+{
+  EdgeFacts facts;
   const Triangle& own = mesh.Triangles[t];
   for (int k = 0; k < 3; ++k)
   {
     const Index beyond = connectivity.AcrossEdge[t][k];
     if (beyond == NoIndex)
     {
-      return false;
+      facts.AllClosed = false;
+      continue;
     }
     const Triangle& other = mesh.Triangles[beyond];
     const int from = CornerOf(other, own[Next(k)]);
-    if (other[from] != own[Next(k)] || other[Next(from)] != own[k] ||
-      connectivity.AcrossEdge[beyond][from] != t)
-    {
-      return false;
-    }
+    facts.AllOriented = facts.AllOriented && other[from] == own[Next(k)] &&
+      other[Next(from)] == own[k] && connectivity.AcrossEdge[beyond][from] == t;
+    facts.AnyTwice = facts.AnyTwice || other[Next(Next(from))] == own[Next(Next(k))];
   }
-  return true;
+  return facts;
 }
 
-bool IsClosedAndOriented(const Mesh& mesh, const Connectivity& connectivity)
+EdgeFacts FactsOf(const Mesh& mesh, const Connectivity& connectivity)
 {
-  std::atomic<bool> all(true);
+  std::atomic<bool> oriented(true), closed(true), twice(false);
   ParallelFor(mesh.TriangleCount(),
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)
       {
-        if (!ContinuesAllRound(mesh, connectivity, t))
+        const EdgeFacts facts = FactsOf(mesh, connectivity, t);
+        if (!facts.AllOriented)
         {
-          all = false;
-          return;
+          oriented = false;
+        }
+        if (!facts.AllClosed)
+        {
+          closed = false;
+        }
+        if (facts.AnyTwice)
+        {
+          twice = true;
         }
       }
     });
-  return all;
+  return { oriented, closed, twice };
 }
 
 /// Finds across each edge of each triangle the one that continues its patch, and counts the edges
 /// that do not have two triangles.
-Unfilled<std::array<Index, 3>> Continuations(const Mesh& mesh, const Connectivity& connectivity,
-  const std::vector<Index>& ids, AssemblyFacts& facts)
+AcrossEdges Continuations(
+  const Mesh& mesh, const AcrossEdges& uncut, const std::vector<Index>& ids, AssemblyFacts& facts)
 {
   const auto idOf = [&](Index t) { return ids.empty() ? 0 : ids[t]; };
-  Unfilled<std::array<Index, 3>> continuations(mesh.Triangles.size());
+  AcrossEdges continuations(mesh.Triangles.size());
   for (Index t = 0; t < mesh.TriangleCount(); ++t)
   {
     for (int k = 0; k < 3; ++k)
@@ -96,7 +115,7 @@ Unfilled<std::array<Index, 3>> Continuations(const Mesh& mesh, const Connectivit
       Index beyond = NoIndex;
       int ofPatch = 0, all = 0;
       bool isFirst = true;
-      ForEachAround(mesh, connectivity, t, k,
+      ForEachAround(mesh, uncut, t, k,
         [&](Index other)
         {
           ++all;
@@ -113,6 +132,16 @@ Unfilled<std::array<Index, 3>> Continuations(const Mesh& mesh, const Connectivit
     }
   }
   return continuations;
+}
+
+Index CountOpenEdges(const AcrossEdges& acrossEdge)
+{
+  Index open = 0;
+  for (const std::array<Index, 3>& across : acrossEdge)
+  {
+    open += static_cast<Index>(std::count(across.begin(), across.end(), NoIndex));
+  }
+  return open;
 }
 
 /// Numbers what hangs together across edges; how many there are.
@@ -147,7 +176,7 @@ Index NumberPatches(const Connectivity& connectivity, std::vector<Index>& patchO
 
 /// Marks the vertices that several patches have, or several parts of one that an edge parts there,
 /// and the ends of all edges of patches.
-void MarkVertices(const Mesh& mesh, const Connectivity& uncut, Connectivity& connectivity)
+void MarkVertices(const Mesh& mesh, const AcrossEdges& uncut, Connectivity& connectivity)
 {
   Flags parted(mesh.Points.size(), 0);
   for (Index t = 0; t < mesh.TriangleCount(); ++t)
@@ -159,7 +188,7 @@ void MarkVertices(const Mesh& mesh, const Connectivity& uncut, Connectivity& con
         for (Index v : { mesh.Triangles[t][k], mesh.Triangles[t][Next(k)] })
         {
           connectivity.OnBoundary[v] = 1;
-          parted[v] |= static_cast<unsigned char>(uncut.AcrossEdge[t][k] != NoIndex);
+          parted[v] |= static_cast<unsigned char>(uncut[t][k] != NoIndex);
         }
       }
     }
@@ -179,30 +208,60 @@ void MarkVertices(const Mesh& mesh, const Connectivity& uncut, Connectivity& con
     }
   }
 }
+
+/// Whether any vertex is one with another.
+bool IsWelded(const std::vector<Index>& sameAs)
+{
+  for (std::size_t v = 0; v < sameAs.size(); ++v)
+  {
+    if (sameAs[v] != static_cast<Index>(v))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 Assembly MakeAssembly(
   Mesh& mesh, Connectivity& connectivity, std::vector<Index> ids, double tolerance)
 {
   Assembly assembly;
-  if (!HasSeveralIds(ids) && IsClosedAndOriented(mesh, connectivity))
+  AssemblyFacts& facts = assembly.Facts;
+  if (!HasSeveralIds(ids))
+  {
+    ids.clear();
+  }
+  const EdgeFacts edges = FactsOf(mesh, connectivity);
+  const bool inOrder = ids.empty() && edges.AllOriented;
+  if (inOrder && edges.AllClosed)
   {
     return assembly;
   }
-  const std::size_t before = mesh.Triangles.size();
   assembly.SameAs = WeldedVertices(mesh, connectivity, ids, tolerance);
-  WeldTriangles(assembly.SameAs, mesh, ids, assembly.Kept);
-  assembly.Facts.LeftOutTriangles = static_cast<Index>(before - mesh.Triangles.size());
-  const Connectivity uncut(mesh);
-  connectivity = uncut;
-  connectivity.AcrossEdge = Continuations(mesh, uncut, ids, assembly.Facts);
-  assembly.Facts.Patches = NumberPatches(connectivity, connectivity.PatchOf);
-  assembly.Facts.Orientation =
-    OrientPatches(mesh, connectivity.PatchOf, assembly.Facts.Patches, uncut, connectivity);
-  MarkVertices(mesh, uncut, connectivity);
-  assembly.Facts.CommonVertices =
+  if (inOrder && !edges.AnyTwice && !IsWelded(assembly.SameAs))
+  {
+    assembly.SameAs.clear();
+    facts.OpenEdges = CountOpenEdges(connectivity.AcrossEdge);
+    facts.Patches = NumberPatches(connectivity, connectivity.PatchOf);
+    MarkVertices(mesh, connectivity.AcrossEdge, connectivity);
+  }
+  else
+  {
+    const std::size_t before = mesh.Triangles.size();
+    WeldTriangles(assembly.SameAs, mesh, ids, assembly.Kept);
+    facts.LeftOutTriangles = static_cast<Index>(before - mesh.Triangles.size());
+    connectivity = Connectivity(mesh);
+    const AcrossEdges uncut = std::move(connectivity.AcrossEdge);
+    connectivity.AcrossEdge = Continuations(mesh, uncut, ids, facts);
+    facts.Patches = NumberPatches(connectivity, connectivity.PatchOf);
+    facts.Orientation =
+      OrientPatches(mesh, connectivity.PatchOf, facts.Patches, uncut, connectivity);
+    MarkVertices(mesh, uncut, connectivity);
+  }
+  facts.CommonVertices =
     static_cast<Index>(std::count(connectivity.Common.begin(), connectivity.Common.end(), 1));
-  if (assembly.Facts.CommonVertices == 0)
+  if (facts.CommonVertices == 0)
   {
     connectivity.PatchOf.clear();
     connectivity.Common.clear();

@@ -25,7 +25,7 @@ struct AssemblyFacts
   Oriented Orientation;
 };
 
-/// What makes a mesh an assembly. SameAs and Kept are empty where a closed mesh is one 2-manifold.
+/// What makes a mesh an assembly. SameAs and Kept are empty where its triangles stay as they are.
 struct Assembly
 {
   std::vector<Index> SameAs; ///< for each vertex the lowest of those at its position that it is one

@@ -18,6 +18,12 @@ namespace arris
 /// the positions and their order.
 ARRISFILTERS_EXPORT std::vector<Index> LowestCoincident(
   const std::vector<Vec3>& points, const std::vector<Index>& vertices, double tolerance);
+
+/// Those of the listed vertices that a chain of steps no longer than `tolerance` from one to the
+/// next may lead to from the seeds, which are among them: all that LowestCoincident has to see to
+/// tell what the seeds are one with.
+ARRISFILTERS_EXPORT std::vector<Index> MayCoincideWith(const std::vector<Index>& seeds,
+  const std::vector<Vec3>& points, const std::vector<Index>& vertices, double tolerance);
 }
 
 #endif

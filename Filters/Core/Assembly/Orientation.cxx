@@ -20,7 +20,7 @@ class Orienter
 {
 public:
   Orienter(Mesh& mesh, const std::vector<Index>& patchOf, Index patchCount,
-    const Connectivity& uncut, Connectivity& connectivity)
+    const Unfilled<std::array<Index, 3>>& uncut, Connectivity& connectivity)
     : TheMesh(mesh)
     , PatchOf(patchOf)
     , Uncut(uncut)
@@ -126,13 +126,13 @@ private:
     {
       for (int k = 0; k < 3; ++k)
       {
-        const Index beyond = this->Uncut.AcrossEdge[t][k];
+        const Index beyond = this->Uncut[t][k];
         if (beyond == NoIndex || this->PatchOf[beyond] == this->PatchOf[t])
         {
           continue;
         }
         const int edge = this->SameEdge(beyond, t, k);
-        if (this->Uncut.AcrossEdge[beyond][edge] == t) // and no third
+        if (this->Uncut[beyond][edge] == t) // and no third
         {
           const bool against =
             this->AreAgainst(t, k, beyond, edge) != (this->Turned[t] != this->Turned[beyond]);
@@ -190,7 +190,7 @@ private:
 
   Mesh& TheMesh;
   const std::vector<Index>& PatchOf;
-  const Connectivity& Uncut;
+  const Unfilled<std::array<Index, 3>>& Uncut;
   Connectivity& TheConnectivity;
   Flags Turned; // relative to how triangles are given
   Flags Reached;
@@ -200,7 +200,7 @@ private:
 }
 
 Oriented OrientPatches(Mesh& mesh, const std::vector<Index>& patchOf, Index patchCount,
-  const Connectivity& uncut, Connectivity& connectivity)
+  const Unfilled<std::array<Index, 3>>& uncut, Connectivity& connectivity)
 {
   return Orienter(mesh, patchOf, patchCount, uncut, connectivity).Run();
 }

@@ -23,7 +23,7 @@ struct Oriented
 /// cannot be. Where two patches and no third meet, they are wound alike as far as most of their
 /// common edges ask for it. Of what hangs together so, the smaller part is turned.
 Oriented OrientPatches(Mesh& mesh, const std::vector<Index>& patchOf, Index patchCount,
-  const Connectivity& uncut, Connectivity& connectivity);
+  const Unfilled<std::array<Index, 3>>& uncut, Connectivity& connectivity);
 }
 
 #endif

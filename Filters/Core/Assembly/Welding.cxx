@@ -4,6 +4,7 @@
 #include "Welding.h"
 
 #include "CoincidentPoints.h"
+#include "Core/Flagged.h"
 
 #include <algorithm>
 #include <iterator>
@@ -67,8 +68,12 @@ std::vector<Index> WeldedVertices(const Mesh& mesh, const Connectivity& connecti
       used.push_back(v);
     }
   }
-  const std::vector<Index> lowest = LowestOfPosition(mesh, connectivity, used, tolerance);
   const Flags open = OpenVertices(mesh, connectivity);
+  if (ids.empty())
+  {
+    used = MayCoincideWith(Flagged(open), mesh.Points, used, tolerance);
+  }
+  const std::vector<Index> lowest = LowestOfPosition(mesh, connectivity, used, tolerance);
   Flags meets(mesh.Points.size(), 0); // by the lowest vertex of a position
   for (std::size_t i = 0; i < used.size(); ++i)
   {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <random>
 
@@ -92,5 +93,37 @@ TEST(CoincidentPoints, FindsAllOfManyThreefoldPoints)
   for (std::size_t i = 0; i < lowest.size(); ++i)
   {
     ASSERT_EQ(lowest[i], static_cast<Index>(i) % Count);
+  }
+}
+
+TEST(CoincidentPoints, OfSomeAreToldFromTheirChainsAlone)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+  for (const double tolerance : { 0.0, 1e-9, 0.02 })
+  {
+    // Chains whose links are as long as they may be: many leave the cell that they begin in.
+    std::vector<Vec3> points;
+    for (int chain = 0; chain < 40; ++chain)
+    {
+      points.emplace_back(anywhere(random), anywhere(random), anywhere(random));
+      for (int link = 0; link < chain; ++link)
+      {
+        points.push_back(points.back() + Vec3(0.99 * tolerance, 0.0, 0.0));
+      }
+    }
+    std::shuffle(points.begin(), points.end(), random);
+    const std::vector<Index> all = UpTo(points.size());
+    const std::vector<Index> lowest = LowestCoincident(points, all, tolerance);
+    const std::vector<Index> seeds = { 3, 70, 71, 500 };
+    const std::vector<Index> near = MayCoincideWith(seeds, points, all, tolerance);
+    EXPECT_LT(near.size(), all.size());
+    const std::vector<Index> lowestNear = LowestCoincident(points, near, tolerance);
+    for (const Index seed : seeds)
+    {
+      const auto at = std::lower_bound(near.begin(), near.end(), seed) - near.begin();
+      ASSERT_LT(static_cast<std::size_t>(at), near.size());
+      EXPECT_EQ(lowestNear[at], lowest[seed]) << "tolerance " << tolerance << ", vertex " << seed;
+    }
   }
 }
