@@ -15,6 +15,7 @@ namespace
 {
 // Lengths in local scales.
 constexpr double SearchRadius = 4.5; // for patches
+constexpr double BlurredSearchRadius = 6.0; // the region of a blurred edge is wider
 constexpr double SampleDepth = 3.5; // samples are this much farther away than the nearest one
 constexpr double RoughSampleDepth = 5.0;
 constexpr double WeightDepth = 1.5;
@@ -76,22 +77,27 @@ bool SuitsBoth(
 }
 }
 
-double SideFinder::Reach(double roughness)
+double SideFinder::PatchReach(const Surroundings& around)
 {
-  return SearchRadius + Mixed(SampleDepth, RoughSampleDepth, roughness);
+  return Mixed(SearchRadius, BlurredSearchRadius, around.Rounding);
+}
+
+double SideFinder::Reach(const Surroundings& around)
+{
+  return PatchReach(around) + Mixed(SampleDepth, RoughSampleDepth, around.Rough.Degree);
 }
 
 std::vector<Side> SideFinder::FitAround(Index vertex, LocalSolid& solid)
 {
   std::vector<Side> sides;
   const double scale = this->Around.Scales[vertex];
-  this->GatherStatic(vertex, Reach(this->Around.Rough.Degree) * scale);
+  this->GatherStatic(vertex, Reach(this->Around) * scale);
   for (const NearVertex& near : this->Static) // nearest first
   {
     const Index patch = this->From.ThePatches.PatchOf[near.Vertex];
     const bool known = std::any_of(
       sides.begin(), sides.end(), [patch](const Side& side) { return side.Patch == patch; });
-    if (!known && sides.size() < MostSides && near.Distance <= SearchRadius * scale)
+    if (!known && sides.size() < MostSides && near.Distance <= PatchReach(this->Around) * scale)
     {
       sides.push_back({ patch, Sheet(), near.Distance, 0.0 });
     }

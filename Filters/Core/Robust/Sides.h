@@ -65,7 +65,7 @@ public:
   }
 
   /// How far away samples are taken, in local scales.
-  static double Reach(double roughness);
+  static double Reach(const Surroundings& around);
 
   /// The sides of vertices near each other, the first in their middle: fitted there, and for each
   /// vertex how well it fits them. `sides` has one row for each vertex. Returns the solid that the
@@ -73,6 +73,9 @@ public:
   LocalSolid Find(IndexSpan vertices, const std::vector<std::vector<Side>*>& sides);
 
 private:
+  /// How far away faces are looked for, in local scales.
+  static double PatchReach(const Surroundings& around);
+
   struct NearVertex
   {
     double Distance;

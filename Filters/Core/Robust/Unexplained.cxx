@@ -63,7 +63,7 @@ std::vector<Index> ReleaseUnexplained(const Surroundings& around, const std::vec
 std::vector<Index> DamagedNear(
   const Surroundings& around, const std::vector<Index>& released, const Flags& region)
 {
-  const Walk walk = WalkFrom(released, SideFinder::Reach(around.Rough.Degree), around.TheMesh,
+  const Walk walk = WalkFrom(released, SideFinder::Reach(around), around.TheMesh,
     around.TheConnectivity, around.Scales, [](Index) { return true; });
   std::vector<Index> near;
   std::copy_if(walk.Reached.begin(), walk.Reached.end(), std::back_inserter(near),
