@@ -210,7 +210,10 @@ private:
     {
       AddJunctions(this->Together->Apart, this->Work.Points, this->Scales, this->Region);
     }
-    SpareThinFaces(this->Work, this->TheConnectivity, faces, this->Scales, this->Region);
+    if (sharp.Rounding <= BlurRounding) // a blur leaves no narrow face flat
+    {
+      SpareThinFaces(this->Work, this->TheConnectivity, faces, this->Scales, this->Region);
+    }
     this->MarkJunctions(this->Region);
     if (first)
     {
