@@ -136,7 +136,7 @@ private:
 };
 }
 
-std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region, Labelling& labelling)
+std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region)
 {
   std::vector<Apex> apexes;
   ApexFinder finder(around, region);
@@ -144,17 +144,10 @@ std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region, La
     [&](const std::vector<Index>& members)
     {
       Apex apex{ NoIndex, Vec3::Zero(), members };
-      if (!finder.Gather(members) || !finder.FindTip(apex))
+      if (finder.Gather(members) && finder.FindTip(apex))
       {
-        return;
+        apexes.push_back(std::move(apex));
       }
-      const Index label = labelling.FirstApexLabel + static_cast<Index>(apexes.size());
-      for (Index v : members)
-      {
-        labelling.Labels[v] = label;
-        labelling.Sides[labelling.SidesOf[v]].clear();
-      }
-      apexes.push_back(std::move(apex));
     });
   return apexes;
 }

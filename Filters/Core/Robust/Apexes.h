@@ -7,7 +7,7 @@
 #ifndef arris_Robust_Apexes_h
 #define arris_Robust_Apexes_h
 
-#include "Labelling.h"
+#include "Sides.h"
 
 #include "ArrisFiltersModule.h" // for the export macro
 
@@ -20,10 +20,7 @@ struct Apex
   std::vector<Index> Members; ///< the vertices around, which stay: only the last of a cone is lost
 };
 
-/// Finds the tips, and gives the vertices of each one label of its own, without sides, so that no
-/// ridge runs around a tip.
-ARRISFILTERS_EXPORT std::vector<Apex> FindApexes(
-  const Surroundings& around, const Flags& region, Labelling& labelling);
+ARRISFILTERS_EXPORT std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region);
 }
 
 #endif

@@ -8,6 +8,9 @@
 #include "Unblurred.h"
 #include "Unexplained.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace arris
 {
 namespace
@@ -75,10 +78,39 @@ bool LabelUnblurred(
   }
   return true;
 }
+
+/// Those of the vertices, in ascending order, that are of no tip.
+std::vector<Index> WithoutTips(const std::vector<Index>& vertices, const std::vector<Apex>& apexes)
+{
+  std::vector<Index> ofTips;
+  for (const Apex& apex : apexes)
+  {
+    ofTips.insert(ofTips.end(), apex.Members.begin(), apex.Members.end());
+  }
+  std::sort(ofTips.begin(), ofTips.end());
+  std::vector<Index> others;
+  std::set_difference(vertices.begin(), vertices.end(), ofTips.begin(), ofTips.end(),
+    std::back_inserter(others));
+  return others;
 }
 
-bool LabelVertices(
-  const Surroundings& around, const Monitor& monitor, Flags& region, Labelling& labelling)
+void LabelTips(const std::vector<Apex>& apexes, Labelling& labelling)
+{
+  Index label = labelling.FirstApexLabel;
+  for (const Apex& apex : apexes)
+  {
+    for (Index v : apex.Members)
+    {
+      labelling.Labels[v] = label;
+      labelling.Sides[labelling.SidesOf[v]].clear();
+    }
+    ++label;
+  }
+}
+}
+
+bool LabelVertices(const Surroundings& around, const std::vector<Apex>& apexes,
+  const Monitor& monitor, Flags& region, Labelling& labelling)
 {
   Patches patches = SortIntoPatches(
     around.TheMesh, around.TheConnectivity, around.TheFaces, around.Flatness, region);
@@ -99,7 +131,8 @@ bool LabelVertices(
     return false;
   }
 
-  const std::vector<Index> released = ReleaseUnexplained(around, damaged, labelling, region);
+  const std::vector<Index> released =
+    ReleaseUnexplained(around, WithoutTips(damaged, apexes), labelling, region);
   AddNarrowPatches(
     around.TheConnectivity, around.TheFaces, around.Flatness, region, released, patches);
   for (Index v : released)
@@ -114,8 +147,13 @@ bool LabelVertices(
   labelling.FirstApexLabel = patches.PatchCount;
   labelling.Labels =
     FloodLabels(around.TheConnectivity, patches, region, labelling.Sides, labelling.SidesOf);
-  return !around.IsBlurred() ||
-    LabelUnblurred(around, samples, monitor.Part(labelled, 1.0), labelling);
+  if (around.IsBlurred() &&
+    !LabelUnblurred(around, samples, monitor.Part(labelled, 1.0), labelling))
+  {
+    return false;
+  }
+  LabelTips(apexes, labelling);
+  return true;
 }
 
 const Side* Labelling::SideAt(Index vertex) const

@@ -7,6 +7,7 @@
 #ifndef arris_Robust_Labelling_h
 #define arris_Robust_Labelling_h
 
+#include "Apexes.h"
 #include "Core/Parallel.h"
 #include "Labels.h"
 
@@ -35,10 +36,11 @@ struct Labelling
 };
 
 /// Fits the sides of every vertex of the region, sorts what is intact into patches, gives narrow
-/// faces back to the intact part (which shrinks the region), and labels the rest. False if the
+/// faces back to the intact part (which shrinks the region), and labels the rest. The vertices of
+/// each tip get one label of its own and no sides, so that no ridge runs around it. False if the
 /// monitor stopped it.
-bool LabelVertices(
-  const Surroundings& around, const Monitor& monitor, Flags& region, Labelling& labelling);
+bool LabelVertices(const Surroundings& around, const std::vector<Apex>& apexes,
+  const Monitor& monitor, Flags& region, Labelling& labelling);
 }
 
 #endif

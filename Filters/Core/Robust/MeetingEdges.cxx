@@ -30,12 +30,31 @@ std::vector<Index> VerticesBeside(
   }
   return beside;
 }
+
+/// Takes out what is connected with nothing that was in the region before: no edge ends there.
+void DropStray(const Connectivity& connectivity, const Flags& before, Flags& region)
+{
+  std::vector<Index> stray;
+  ForEachGroup(connectivity, region, 1,
+    [&](const std::vector<Index>& group)
+    {
+      if (std::none_of(group.begin(), group.end(), [&](Index v) { return before[v] != 0; }))
+      {
+        stray.insert(stray.end(), group.begin(), group.end());
+      }
+    });
+  for (Index v : stray)
+  {
+    region[v] = 0;
+  }
+}
 }
 
 void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
   const std::vector<double>& scales, const std::vector<Turn>& turns, const EdgeAngles& angles,
   Flags& region)
 {
+  const Flags before = region;
   Flags fresh = region;
   for (int pass = 0; pass < Passes; ++pass)
   {
@@ -58,5 +77,6 @@ void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, cons
       region[beside[i]] = fresh[beside[i]] = found[i];
     }
   }
+  DropStray(connectivity, before, region);
 }
 }

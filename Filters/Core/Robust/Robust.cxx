@@ -160,12 +160,12 @@ private:
     const StopWatch thinning;
     const Surroundings around{ this->Work, this->TheConnectivity, faces, this->Scales,
       this->Result.NormalDifferences, this->Result.Rounding, this->Result.Rough, this->Together };
+    const std::vector<Apex> apexes = FindApexes(around, this->Region);
     Labelling labelling;
-    if (!LabelVertices(around, monitor.Part(Measured, Fitted), this->Region, labelling))
+    if (!LabelVertices(around, apexes, monitor.Part(Measured, Fitted), this->Region, labelling))
     {
       return false;
     }
-    const std::vector<Apex> apexes = FindApexes(around, this->Region, labelling);
     RightAlready right =
       FindRightAlready(this->Work, this->TheConnectivity, faces, this->Scales, labelling);
     this->MarkJunctions(right.OnRidge);
