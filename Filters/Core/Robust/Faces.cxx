@@ -6,6 +6,8 @@
 #include "Core/Geometry.h"
 #include "Core/Parallel.h"
 
+#include <algorithm>
+
 namespace arris
 {
 namespace
@@ -19,21 +21,25 @@ constexpr int ScaleSmoothing = 30;
 }
 
 Faces::Faces(const Mesh& mesh, const Connectivity& connectivity, double averageEdgeLength)
-  : Centroids(mesh.Triangles.size())
-  , Normals(UnitNormals(mesh, averageEdgeLength * RobustSliverHeight / SliverHeight))
-  , AreaVectors(mesh.Triangles.size())
-  , Areas(mesh.Triangles.size())
+  : Normals(mesh.Triangles.size())
   , VertexNormals(mesh.Points.size())
+  , LeastHeight(RobustSliverHeight * averageEdgeLength)
+{
+  this->Update(mesh, connectivity, Flags(mesh.Points.size(), 1));
+}
+
+void Faces::Update(const Mesh& mesh, const Connectivity& connectivity, const Flags& moved)
 {
   ParallelFor(mesh.TriangleCount(),
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)
       {
-        const Corners corners(mesh, t);
-        this->Centroids[t] = corners.Centroid();
-        this->AreaVectors[t] = 0.5 * corners.AreaVector();
-        this->Areas[t] = this->AreaVectors[t].norm();
+        const Triangle& corners = mesh.Triangles[t];
+        if (moved[corners[0]] || moved[corners[1]] || moved[corners[2]])
+        {
+          this->Normals[t] = UnitNormal(Corners(mesh, t), this->LeastHeight);
+        }
       }
     });
   ParallelFor(mesh.VertexCount(),
@@ -41,12 +47,12 @@ Faces::Faces(const Mesh& mesh, const Connectivity& connectivity, double averageE
     {
       for (Index v = begin; v < end; ++v)
       {
-        Vec3 sum = Vec3::Zero();
-        for (Index t : connectivity.TrianglesOfVertex[v])
+        const IndexSpan neighbors = connectivity.NeighborsOfVertex[v];
+        if (moved[v] ||
+          std::any_of(neighbors.begin(), neighbors.end(), [&](Index n) { return moved[n] != 0; }))
         {
-          sum += this->AreaVectors[t];
+          this->VertexNormals[v] = DirectionOf(AreaVectorAround(mesh, connectivity, v));
         }
-        this->VertexNormals[v] = DirectionOf(sum);
       }
     });
 }

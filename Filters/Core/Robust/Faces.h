@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file Faces.h
-/// What the robust method asks of triangles again and again, computed once.
+/// What the robust method asks of triangles and vertices again and again, computed once.
 
 #ifndef arris_Robust_Faces_h
 #define arris_Robust_Faces_h
@@ -13,17 +13,21 @@
 
 namespace arris
 {
-/// Centroid, normal and area of every triangle, and a normal for every vertex.
+/// A normal for every triangle and every vertex. Centroids and areas are found where they are asked
+/// for, which takes no longer than to fetch them from memory.
 struct Faces
 {
-  std::vector<Vec3> Centroids;
   std::vector<Vec3> Normals; ///< unit; zero for slivers, which have no part in extremes
-  std::vector<Vec3> AreaVectors; ///< normal to the triangle, its area long
-  std::vector<double> Areas;
   std::vector<Vec3> VertexNormals; ///< unit, by area; zero where nothing is known
 
   ARRISFILTERS_EXPORT Faces(
     const Mesh& mesh, const Connectivity& connectivity, double averageEdgeLength);
+
+  /// Finds those anew that vertices with the flag have a part in.
+  void Update(const Mesh& mesh, const Connectivity& connectivity, const Flags& moved);
+
+private:
+  double LeastHeight; ///< of a triangle that is no sliver
 };
 
 /// The local scale h of each vertex: the mean edge length around it, smoothed over the mesh, so

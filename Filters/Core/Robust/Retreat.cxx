@@ -61,10 +61,14 @@ public:
 private:
   void UndoCuts(std::vector<Index> suspects)
   {
+    if (suspects.empty())
+    {
+      return;
+    }
+    Mesh moved{ this->ThePlacement.AllPoints(), this->TheMesh.Triangles };
     // Every round takes back at least one vertex for each pair, so there is an end to it.
     for (;;)
     {
-      Mesh moved{ this->ThePlacement.AllPoints(), this->TheMesh.Triangles };
       const std::vector<std::array<Index, 2>> cutting = FindIntersections(moved, suspects);
       std::vector<Index> changed;
       for (const std::array<Index, 2>& pair : cutting)
@@ -76,6 +80,10 @@ private:
         return;
       }
       this->UndoFolds(this->TrianglesAround(changed), &changed);
+      for (const Index v : changed)
+      {
+        moved.Points[v] = this->ThePlacement.PointOf(v);
+      }
       suspects = this->TrianglesAround(changed); // only these can cut what they did not before
     }
   }

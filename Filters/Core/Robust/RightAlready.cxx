@@ -37,7 +37,8 @@ Index FaceUnder(const Mesh& mesh, const Faces& faces, const std::vector<Side>& s
     }
     const Vec3& normal = faces.Normals[triangle];
     if (farthest < nearest &&
-      (normal.isZero(0.0) || normal.dot(side.Surface.Normal(faces.Centroids[triangle])) >= along))
+      (normal.isZero(0.0) ||
+        normal.dot(side.Surface.Normal(Corners(mesh, triangle).Centroid())) >= along))
     {
       nearest = farthest;
       face = side.Patch;

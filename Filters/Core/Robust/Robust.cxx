@@ -22,6 +22,7 @@
 #include "Untangle.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace arris
@@ -149,7 +150,7 @@ private:
   bool RunPass(const Monitor& monitor)
   {
     const StopWatch classification;
-    const Faces faces(this->Work, this->TheConnectivity, this->AverageEdgeLength);
+    const Faces& faces = this->UpdateFaces();
     if (!this->Classify(faces, monitor.Part(0.0, Measured)))
     {
       return false;
@@ -185,6 +186,20 @@ private:
     }
     this->Result.SharpeningSeconds += sharpening.Seconds();
     return true;
+  }
+
+  /// The faces as they are after the pass before.
+  const Faces& UpdateFaces()
+  {
+    if (this->TheFaces && !this->MayFlip)
+    {
+      this->TheFaces->Update(this->Work, this->TheConnectivity, this->Moved);
+    }
+    else
+    {
+      this->TheFaces.emplace(this->Work, this->TheConnectivity, this->AverageEdgeLength);
+    }
+    return *this->TheFaces;
   }
 
   /// Finds the sharp region.
@@ -416,6 +431,7 @@ private:
   // Of the pass.
   Mesh Work; ///< what the passes before have made of the input, or of its smooth copy
   Flags Moved; ///< by the pass before
+  std::optional<Faces> TheFaces;
   std::vector<Turn> Turns;
   Flags Region;
 };

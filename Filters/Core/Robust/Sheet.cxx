@@ -280,7 +280,7 @@ void Sheet::Unblur(double width)
 double Sheet::Distance(const Vec3& point) const
 {
   const Vec3 d = (point - this->Origin) / this->Scale;
-  if (this->BendingU == 0.0 && this->BendingW == 0.0)
+  if (this->IsFlat())
   {
     return this->Scale * d.dot(this->N); // to the bit what follows would give
   }
@@ -290,6 +290,10 @@ double Sheet::Distance(const Vec3& point) const
 
 Vec3 Sheet::Normal(const Vec3& point) const
 {
+  if (this->IsFlat())
+  {
+    return this->N;
+  }
   const Vec3 d = (point - this->Origin) / this->Scale;
   const double u = d.dot(this->U), w = d.dot(this->W), z = d.dot(this->N);
   const double height = FromCircle(this->BendingW, w, z);

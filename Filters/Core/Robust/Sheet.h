@@ -59,6 +59,8 @@ public:
   /// Distance from the sheet, to first order; positive outside.
   double Distance(const Vec3& point) const;
 
+  bool IsFlat() const { return this->BendingU == 0.0 && this->BendingW == 0.0; }
+
   /// The larger of its two curvatures, the inverse of a radius in scales.
   double Curvature() const { return std::max(std::abs(this->BendingU), std::abs(this->BendingW)); }
 

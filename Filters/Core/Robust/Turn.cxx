@@ -74,8 +74,8 @@ Turn TurnMeter::Measure(Index vertex)
   double area = 0.0;
   for (const SeenFace& seen : this->Near)
   {
-    sum += this->TheFaces.AreaVectors[seen.Face];
-    area += this->TheFaces.Areas[seen.Face];
+    sum += seen.AreaVector;
+    area += seen.Area;
   }
   if (!(sum.norm() > 0.0))
   {
@@ -85,12 +85,10 @@ Turn TurnMeter::Measure(Index vertex)
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const SeenFace& seen : this->Near)
   {
-    const Vec3& areaVector = this->TheFaces.AreaVectors[seen.Face];
-    const double faceArea = this->TheFaces.Areas[seen.Face];
-    if (faceArea > 0.0)
+    if (seen.Area > 0.0)
     {
-      const Vec3 difference = areaVector / faceArea - meanNormal;
-      spread += faceArea * difference * difference.transpose();
+      const Vec3 difference = seen.AreaVector / seen.Area - meanNormal;
+      spread += seen.Area * difference * difference.transpose();
     }
   }
   // Across the edge the normals vary most. At a hole's rim they may vary more along it: the second
@@ -135,15 +133,13 @@ void TurnMeter::MeasureAcross(
     }
     const double squared = seen.Offset.squaredNorm();
     const int which = s > 0.0 ? 1 : 0;
-    const double area = this->TheFaces.Areas[seen.Face];
-    const Vec3& areaVector = this->TheFaces.AreaVectors[seen.Face];
     if (squared <= RingOuter * RingOuter)
     {
-      sums[which].Add(s, area, areaVector);
+      sums[which].Add(s, seen.Area, seen.AreaVector);
     }
     if (reach >= RingInner + WideRingShift)
     {
-      wide[which].Add(s, area, areaVector); // all are near enough
+      wide[which].Add(s, seen.Area, seen.AreaVector); // all are near enough
     }
   }
   const double leastArea = LeastSideArea * this->Scale * this->Scale;
@@ -163,7 +159,8 @@ void TurnMeter::MeasureAcross(
     const double angle = Degrees(std::atan2(normal.dot(across), normal.dot(meanNormal)));
     least = std::min(least, angle);
     most = std::max(most, angle);
-    const double s = (this->TheFaces.Centroids[face] - this->Position).dot(across) / this->Scale;
+    const Vec3 centroid = Corners(this->TheMesh, face).Centroid();
+    const double s = (centroid - this->Position).dot(across) / this->Scale;
     first = std::min(first, s);
     last = std::max(last, s);
   }
@@ -207,10 +204,12 @@ void TurnMeter::GatherNear(Index vertex, double radius)
     {
       return;
     }
-    const Vec3 offset = (this->TheFaces.Centroids[face] - this->Position) / this->Scale;
+    const Corners corners(this->TheMesh, face);
+    const Vec3 offset = (corners.Centroid() - this->Position) / this->Scale;
     if (offset.squaredNorm() <= radius * radius)
     {
-      this->Near.push_back({ offset, face });
+      const Vec3 areaVector = 0.5 * corners.AreaVector();
+      this->Near.push_back({ offset, areaVector, areaVector.norm(), face });
     }
   };
   for (Index face : this->TheConnectivity.TrianglesOfVertex[vertex])

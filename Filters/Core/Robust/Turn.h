@@ -46,10 +46,12 @@ public:
   Turn Measure(Index vertex);
 
 private:
-  /// A face as a vertex sees it: how far across the edge and along it, in local scales.
+  /// A face as a vertex sees it.
   struct SeenFace
   {
     Vec3 Offset; ///< centroid minus vertex, in local scales
+    Vec3 AreaVector; ///< normal to the face, its area long
+    double Area;
     Index Face;
   };
   /// The normals of one side as a line a + b s over the distance s across the edge.
