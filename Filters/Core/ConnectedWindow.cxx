@@ -78,8 +78,14 @@ void ConnectedWindow::Visit(Index from, int edge, const Vec3& center, double rad
     return;
   }
   const Triangle& corners = this->TheMesh.Triangles[from];
-  const double distance2 = SquaredDistanceAcross(
-    this->TheMesh, neighbor, corners[edge], corners[Next(edge)], center, radius2);
+  const Index a = corners[edge], b = corners[Next(edge)];
+  if ((this->TheMesh.Points[a] - center).squaredNorm() <= radius2 ||
+    (this->TheMesh.Points[b] - center).squaredNorm() <= radius2)
+  {
+    this->Window.push_back(neighbor);
+    return;
+  }
+  const double distance2 = SquaredDistanceAcross(this->TheMesh, neighbor, a, b, center, radius2);
   if (distance2 <= radius2)
   {
     this->Window.push_back(neighbor);

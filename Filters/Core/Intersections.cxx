@@ -8,6 +8,7 @@
 #include "Parallel.h"
 #include "SortUnique.h"
 #include "TriangleCrossing.h"
+#include "Vicinity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,41 +20,6 @@ namespace arris
 namespace
 {
 using Pair = std::array<Index, 2>;
-
-struct Box
-{
-  Vec3 Low = Vec3::Zero();
-  Vec3 High = Vec3::Zero();
-
-  Box() = default;
-  Box(const Mesh& mesh, Index t)
-    : Low(mesh.Points[mesh.Triangles[t][0]])
-    , High(this->Low)
-  {
-    for (int k = 1; k < 3; ++k)
-    {
-      this->Low = this->Low.cwiseMin(mesh.Points[mesh.Triangles[t][k]]);
-      this->High = this->High.cwiseMax(mesh.Points[mesh.Triangles[t][k]]);
-    }
-  }
-  double Width() const { return (this->High - this->Low).maxCoeff(); }
-  bool Meets(const Box& other) const
-  {
-    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
-      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
-      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
-  }
-  void Include(const Box& other)
-  {
-    this->Low = this->Low.cwiseMin(other.Low);
-    this->High = this->High.cwiseMax(other.High);
-  }
-  void ClipTo(const Box& other)
-  {
-    this->Low = this->Low.cwiseMax(other.Low);
-    this->High = this->High.cwiseMin(other.High);
-  }
-};
 
 /// The listed triangles in hashed grids of cubes, one for each level: four times as wide from one
 /// level to the next, and on level 0 wide enough for most triangles. A box belongs to the level
@@ -80,6 +46,11 @@ public:
     {
       this->ChooseLevels();
       this->FillBuckets();
+      this->Near = Vicinity(this->Bounds, this->Unit);
+      for (const Entry& entry : this->Entries)
+      {
+        this->Near.Add(entry.Bounds);
+      }
     }
   }
   bool Empty() const { return this->Entries.empty(); }
@@ -91,7 +62,7 @@ public:
   void Search(const Mesh& mesh, Index seeker, bool isListed, Visit&& visit) const
   {
     Box box(mesh, seeker);
-    if (!box.Meets(this->Bounds))
+    if (!this->Near.MayMeet(box))
     {
       return;
     }
@@ -277,6 +248,7 @@ private:
 
   std::vector<Entry> Entries;
   Box Bounds;
+  Vicinity Near; ///< of the entries: most triangles of a mesh are not in it
   double Unit = 0.0;
   int Finest = 0;
   int Coarsest = 0;

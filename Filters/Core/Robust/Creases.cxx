@@ -24,11 +24,15 @@ double Crease(const Vec3& edge, const Vec3& left, const Vec3& right)
 }
 
 double CreasesAround(const std::vector<Triangle>& triangles, const Connectivity& connectivity,
-  const std::vector<Vec3>& points, Index vertex)
+  const std::vector<Vec3>& points, Index vertex, double enough)
 {
   double sum = 0.0;
   for (Index t : connectivity.TrianglesOfVertex[vertex])
   {
+    if (sum >= enough)
+    {
+      break;
+    }
     const int k = CornerOf(triangles[t], vertex);
     const Vec3 normal = AreaVector(triangles, points, t);
     // Of the two edges at the vertex one is left to the next triangle.

@@ -17,12 +17,16 @@
 
 #include "ArrisFiltersModule.h" // for the export macro
 
+#include <limits>
+
 namespace arris
 {
 /// The creases of the edges of all triangles at a vertex, were the mesh's vertices at `points`. In
-/// units of length times the root of an angle in radians.
+/// units of length times the root of an angle in radians. Not added up to the end where they are
+/// `enough` before.
 ARRISFILTERS_EXPORT double CreasesAround(const std::vector<Triangle>& triangles,
-  const Connectivity& connectivity, const std::vector<Vec3>& points, Index vertex);
+  const Connectivity& connectivity, const std::vector<Vec3>& points, Index vertex,
+  double enough = std::numeric_limits<double>::infinity());
 }
 
 #endif

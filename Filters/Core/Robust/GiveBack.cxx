@@ -4,9 +4,11 @@
 #include "GiveBack.h"
 
 #include "Core/Flagged.h"
+#include "Core/Parallel.h"
 #include "Creases.h"
 
 #include <algorithm>
+#include <array>
 
 namespace arris
 {
@@ -16,12 +18,22 @@ void GiveBackTheMoreCreased(const Mesh& mesh, const Connectivity& connectivity, 
   ForEachGroup(connectivity, region, 1,
     [&](const std::vector<Index>& part)
     {
+      // Most edges are counted from more than one vertex, but the same ones on either side.
+      std::vector<std::array<double, 2>> creases(part.size());
+      ParallelFor(static_cast<Index>(part.size()),
+        [&](Index begin, Index end)
+        {
+          for (Index i = begin; i < end; ++i)
+          {
+            creases[i] = { CreasesAround(mesh.Triangles, connectivity, input, part[i]),
+              CreasesAround(mesh.Triangles, connectivity, placement.AllPoints(), part[i]) };
+          }
+        });
       double before = 0.0, after = 0.0;
-      for (Index v : part)
+      for (const std::array<double, 2>& of : creases)
       {
-        // Most edges are counted from more than one vertex, but the same ones on either side.
-        before += CreasesAround(mesh.Triangles, connectivity, input, v);
-        after += CreasesAround(mesh.Triangles, connectivity, placement.AllPoints(), v);
+        before += of[0];
+        after += of[1];
       }
       // A tip has more creases than what is left of one when it has been cut off.
       const bool tip =

@@ -380,7 +380,10 @@ private:
     {
       this->Result.Region[v] |= mesh.Region[v];
     }
-    TellSkeleton(mesh.TheConnectivity, placement, this->Result);
+    if (this->IsLastPass())
+    {
+      TellSkeleton(mesh.TheConnectivity, placement, this->Result);
+    }
     TellOutcomes(mesh.Before.Points, wanted, placement, this->Result);
     this->TakePoints(placement.AllPoints());
   }

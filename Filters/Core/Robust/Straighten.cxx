@@ -83,7 +83,7 @@ private:
     for (const Place& place : this->Places)
     {
       this->ThePlacement.SetPoint(v, place.Point);
-      const double creases = this->Creases(v);
+      const double creases = this->Creases(v, best);
       if (creases < best && !this->Folds(v, now))
       {
         best = creases;
@@ -98,10 +98,10 @@ private:
     return taken != nullptr;
   }
 
-  double Creases(Index v) const
+  double Creases(Index v, double enough = std::numeric_limits<double>::infinity()) const
   {
     return CreasesAround(
-      this->TheMesh.Triangles, this->TheConnectivity, this->ThePlacement.AllPoints(), v);
+      this->TheMesh.Triangles, this->TheConnectivity, this->ThePlacement.AllPoints(), v, enough);
   }
 
   /// Whether a triangle at v, which was at `before`, is turned over by the move or left without
