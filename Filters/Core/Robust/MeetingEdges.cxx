@@ -52,7 +52,7 @@ void DropStray(const Connectivity& connectivity, const Flags& before, Flags& reg
 
 void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
   const std::vector<double>& scales, const std::vector<Turn>& turns, const EdgeAngles& angles,
-  Flags& region)
+  bool rounded, Flags& region)
 {
   const Flags before = region;
   Flags fresh = region;
@@ -64,7 +64,7 @@ void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, cons
       [&](Index begin, Index end)
       {
         TurnMeter meter(mesh, connectivity, faces, scales);
-        meter.LookWithin(region);
+        meter.LookWithin(region, rounded);
         for (Index i = begin; i < end; ++i)
         {
           found[i] =

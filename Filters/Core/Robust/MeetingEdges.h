@@ -16,7 +16,7 @@ namespace arris
 /// the triangles of the region.
 void ExtendToOtherEdges(const Mesh& mesh, const Connectivity& connectivity, const Faces& faces,
   const std::vector<double>& scales, const std::vector<Turn>& turns, const EdgeAngles& angles,
-  Flags& region);
+  bool rounded, Flags& region);
 }
 
 #endif

@@ -219,8 +219,9 @@ private:
       FindSharpRegion(this->Work, this->TheConnectivity, this->Turns, scales, angles);
     this->Region = std::move(sharp.Vertices);
     this->KeepRegion();
+    const bool rounded = this->IsRough() || sharp.Rounding > BlurRounding;
     ExtendToOtherEdges(
-      this->Work, this->TheConnectivity, faces, scales, this->Turns, angles, this->Region);
+      this->Work, this->TheConnectivity, faces, scales, this->Turns, angles, rounded, this->Region);
     if (this->Together)
     {
       AddJunctions(this->Together->Apart, this->Work.Points, this->Scales, this->Region);

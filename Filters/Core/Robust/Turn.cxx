@@ -25,6 +25,9 @@ constexpr double HalfWidthAlong = 1.5; // how far along the edge a side reaches
 /// The least area of a side that can be believed, in squares of the local scale.
 constexpr double LeastSideArea = 0.3;
 
+/// The same for what is left of a side that ends nearer than the ring.
+constexpr double LeastCloseArea = 0.1;
+
 /// Pulls the slope of a side toward none, in squares of the local scale, where its faces stand in
 /// one row and give no slope.
 constexpr double SlopeRidge = 0.02;
@@ -122,17 +125,22 @@ void TurnMeter::MeasureAcross(
   const Vec3& meanNormal, const Vec3& across, const std::vector<Index>& window, Turn& turn) const
 {
   const Vec3 along = meanNormal.cross(across);
-  SideSums sums[2], wide[2]; // left and right
+  SideSums sums[2], wide[2], close[2]; // left and right
   for (const SeenFace& seen : this->Near)
   {
     const double s = seen.Offset.dot(across);
     const double reach = std::abs(s);
-    if (reach < RingInner || std::abs(seen.Offset.dot(along)) > HalfWidthAlong)
+    if (std::abs(seen.Offset.dot(along)) > HalfWidthAlong)
     {
       continue;
     }
     const double squared = seen.Offset.squaredNorm();
     const int which = s > 0.0 ? 1 : 0;
+    if (reach < RingInner)
+    {
+      close[which].Add(s, seen.Area, seen.AreaVector);
+      continue;
+    }
     if (squared <= RingOuter * RingOuter)
     {
       sums[which].Add(s, seen.Area, seen.AreaVector);
@@ -143,8 +151,14 @@ void TurnMeter::MeasureAcross(
     }
   }
   const double leastArea = LeastSideArea * this->Scale * this->Scale;
-  const Side left = sums[0].Fit(leastArea);
-  const Side right = sums[1].Fit(leastArea);
+  Side left = sums[0].Fit(leastArea);
+  Side right = sums[1].Fit(leastArea);
+  if (this->BelieveClose) // of a side that the other edge cuts off, the beginning is left
+  {
+    const double leastClose = LeastCloseArea * this->Scale * this->Scale;
+    left = left.Known ? left : close[0].FitLevel(leastClose);
+    right = right.Known ? right : close[1].FitLevel(leastClose);
+  }
   turn.Jump = this->JumpOf(left, right, across);
   turn.WideJump = this->JumpOf(wide[0].Fit(leastArea), wide[1].Fit(leastArea), across);
 
@@ -249,6 +263,18 @@ TurnMeter::Side TurnMeter::SideSums::Fit(double leastArea) const
     (this->SS / this->Area - meanS * meanS + SlopeRidge);
   side.Intercept = side.Mean - meanS * side.Slope;
   side.Known = true;
+  return side;
+}
+
+TurnMeter::Side TurnMeter::SideSums::FitLevel(double leastArea) const
+{
+  Side side;
+  side.Known = this->Area >= leastArea;
+  if (side.Known)
+  {
+    side.Mean = side.Intercept = this->N / this->Area;
+    side.Slope = Vec3::Zero();
+  }
   return side;
 }
 

@@ -40,8 +40,13 @@ public:
     const std::vector<double>& scales);
 
   /// Looks past no triangle with two corners or more in `region`, from now on: what lies beyond
-  /// another edge has no part in the turn.
-  void LookWithin(const Flags& region) { this->Barrier = &region; }
+  /// another edge has no part in the turn. Of a side that ends there, what is left beside the vertex
+  /// is taken, unless edges are rounded: then that is bent.
+  void LookWithin(const Flags& region, bool rounded)
+  {
+    this->Barrier = &region;
+    this->BelieveClose = !rounded;
+  }
 
   Turn Measure(Index vertex);
 
@@ -74,6 +79,7 @@ private:
 
     void Add(double s, double area, const Vec3& areaVector);
     Side Fit(double leastArea) const;
+    Side FitLevel(double leastArea) const; ///< without a slope
   };
 
   const std::vector<Index>& GatherWindow(Index vertex);
@@ -92,6 +98,7 @@ private:
   IndexSet Seen;
   std::vector<SeenFace> Near;
   const Flags* Barrier = nullptr;
+  bool BelieveClose = false;
   std::vector<Index> ClearWindow;
   double Scale = 0.0;
   Vec3 Position;
