@@ -19,7 +19,7 @@ struct Box
   Box() = default;
 
   /// Around a triangle.
-  Box(const Mesh& mesh, Index t)
+  Box(const MeshView& mesh, Index t)
     : Low(mesh.Points[mesh.Triangles[t][0]])
     , High(this->Low)
   {

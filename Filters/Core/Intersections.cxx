@@ -39,7 +39,7 @@ public:
   };
 
   /// Unusable if Empty() afterwards: nothing but points was listed.
-  Grid(const Mesh& mesh, const std::vector<Index>& listed)
+  Grid(const MeshView& mesh, const std::vector<Index>& listed)
   {
     this->CollectEntries(mesh, listed);
     if (!this->Entries.empty())
@@ -59,7 +59,7 @@ public:
   /// not for itself, nor for listed triangles that find this one when it is their turn.
   /// Rarely more than once for the same one.
   template <typename Visit>
-  void Search(const Mesh& mesh, Index seeker, bool isListed, Visit&& visit) const
+  void Search(const MeshView& mesh, Index seeker, bool isListed, Visit&& visit) const
   {
     Box box(mesh, seeker);
     if (!this->Near.MayMeet(box))
@@ -104,7 +104,7 @@ private:
   static constexpr std::size_t BucketsPerEntry = 4;
   static constexpr std::uint64_t Golden = 0x9E3779B97F4A7C15u; // 2^64 / golden ratio
 
-  void CollectEntries(const Mesh& mesh, const std::vector<Index>& listed)
+  void CollectEntries(const MeshView& mesh, const std::vector<Index>& listed)
   {
     this->Entries.reserve(listed.size());
     for (const Index t : listed)
@@ -258,7 +258,7 @@ private:
   int Shift = 0;
 };
 
-Flags Mark(const Mesh& mesh, const std::vector<Index>& triangles)
+Flags Mark(const MeshView& mesh, const std::vector<Index>& triangles)
 {
   Flags marks(mesh.Triangles.size(), 0);
   for (const Index t : triangles)
@@ -270,7 +270,7 @@ Flags Mark(const Mesh& mesh, const std::vector<Index>& triangles)
 }
 
 std::vector<std::array<Index, 2>> FindIntersections(
-  const Mesh& mesh, const std::vector<Index>& triangles)
+  const MeshView& mesh, const std::vector<Index>& triangles)
 {
   const Flags isListed = Mark(mesh, triangles);
   const Grid grid(mesh, Flagged(isListed));

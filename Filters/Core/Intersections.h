@@ -29,7 +29,7 @@ namespace arris
 ///  - triangles without area count in no pair.
 /// Vertices are shared by index, but coincident ones are no trouble: they touch.
 ARRISFILTERS_EXPORT std::vector<std::array<Index, 2>> FindIntersections(
-  const Mesh& mesh, const std::vector<Index>& triangles);
+  const MeshView& mesh, const std::vector<Index>& triangles);
 }
 
 #endif

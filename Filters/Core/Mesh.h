@@ -25,6 +25,24 @@ struct Mesh
   Index TriangleCount() const { return static_cast<Index>(this->Triangles.size()); }
 };
 
+/// A mesh, or its triangles on points that have moved.
+struct MeshView
+{
+  const std::vector<Vec3>& Points;
+  const std::vector<Triangle>& Triangles;
+
+  MeshView(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+    : Points(points)
+    , Triangles(triangles)
+  {
+  }
+  MeshView(const Mesh& mesh) // is one as it is
+    : MeshView(mesh.Points, mesh.Triangles)
+  {
+  }
+  Index TriangleCount() const { return static_cast<Index>(this->Triangles.size()); }
+};
+
 /// Rows of indices of different lengths, stored end to end (compressed sparse rows).
 class Rows
 {

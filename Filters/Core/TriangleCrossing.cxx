@@ -26,7 +26,7 @@ struct Face
   std::array<Vec3, 3> Points;
   Vec3 Normal; ///< twice the area long
 
-  Face(const Mesh& mesh, const Triangle& triangle)
+  Face(const MeshView& mesh, const Triangle& triangle)
     : Points{ mesh.Points[triangle[0]], mesh.Points[triangle[1]], mesh.Points[triangle[2]] }
     , Normal((this->Points[1] - this->Points[0]).cross(this->Points[2] - this->Points[0]))
   {
@@ -214,7 +214,7 @@ int ShareFirst(Triangle& one, Triangle& other)
 }
 }
 
-bool CutThrough(const Mesh& mesh, Index t1, Index t2)
+bool CutThrough(const MeshView& mesh, Index t1, Index t2)
 {
   Triangle triangle1 = mesh.Triangles[t1];
   Triangle triangle2 = mesh.Triangles[t2];

@@ -12,7 +12,7 @@
 namespace arris
 {
 /// True if the two triangles cut through each other as FindIntersections understands it.
-bool CutThrough(const Mesh& mesh, Index t1, Index t2);
+bool CutThrough(const MeshView& mesh, Index t1, Index t2);
 }
 
 #endif

@@ -61,32 +61,25 @@ public:
 private:
   void UndoCuts(std::vector<Index> suspects)
   {
-    if (suspects.empty())
-    {
-      return;
-    }
-    Mesh moved{ this->ThePlacement.AllPoints(), this->TheMesh.Triangles };
     // Every round takes back at least one vertex for each pair, so there is an end to it.
     for (;;)
     {
-      const std::vector<std::array<Index, 2>> cutting = FindIntersections(moved, suspects);
+      const std::vector<std::array<Index, 2>> cutting = FindIntersections(this->Now(), suspects);
       std::vector<Index> changed;
       for (const std::array<Index, 2>& pair : cutting)
       {
-        this->Part(pair, moved, changed);
+        this->Part(pair, changed);
       }
       if (changed.empty())
       {
         return;
       }
       this->UndoFolds(this->TrianglesAround(changed), &changed);
-      for (const Index v : changed)
-      {
-        moved.Points[v] = this->ThePlacement.PointOf(v);
-      }
       suspects = this->TrianglesAround(changed); // only these can cut what they did not before
     }
   }
+
+  MeshView Now() const { return { this->ThePlacement.AllPoints(), this->TheMesh.Triangles }; }
 
   bool Moved(Index v) const { return this->ThePlacement.PointOf(v) != this->TheMesh.Points[v]; }
 
@@ -204,12 +197,12 @@ private:
     }
   }
 
-  /// Takes back what makes two triangles cut each other. `moved` is kept as it is now.
-  void Part(const std::array<Index, 2>& pair, Mesh& moved, std::vector<Index>& changed)
+  /// Takes back what makes two triangles cut each other.
+  void Part(const std::array<Index, 2>& pair, std::vector<Index>& changed)
   {
     if (!AreOnePatch(this->TheConnectivity, pair[0], pair[1]))
     {
-      if (!CutThrough(moved, pair[0], pair[1]) || this->PartPatches(pair, moved, changed))
+      if (!CutThrough(this->Now(), pair[0], pair[1]) || this->PartPatches(pair, changed))
       {
         return;
       }
@@ -217,16 +210,12 @@ private:
     for (Index t : pair)
     {
       this->GiveBack(t, changed);
-      for (Index v : this->TheMesh.Triangles[t])
-      {
-        moved.Points[v] = this->ThePlacement.PointOf(v);
-      }
     }
   }
 
   /// Takes one vertex back, no farther than needed: where patches meet they are near each other all
   /// along, and cut each other by a little.
-  bool PartPatches(const std::array<Index, 2>& pair, Mesh& moved, std::vector<Index>& changed)
+  bool PartPatches(const std::array<Index, 2>& pair, std::vector<Index>& changed)
   {
     for (const double kept : { 0.9, 0.75, 0.5, 0.25, 0.0 })
     {
@@ -234,7 +223,7 @@ private:
       {
         for (Index v : this->TheMesh.Triangles[t])
         {
-          if (this->TakeBack(v, kept, pair, moved))
+          if (this->TakeBack(v, kept, pair))
           {
             changed.push_back(v);
             return true;
@@ -247,7 +236,7 @@ private:
 
   /// Takes a vertex back to a part of its way, if then the triangles do not cut each other, and
   /// nothing folds that did not.
-  bool TakeBack(Index v, double kept, const std::array<Index, 2>& pair, Mesh& moved)
+  bool TakeBack(Index v, double kept, const std::array<Index, 2>& pair)
   {
     if (!this->Moved(v) || (kept > 0.0 && this->StepsBack[v] == MostSteps))
     {
@@ -255,12 +244,10 @@ private:
     }
     const Vec3 before = this->ThePlacement.PointOf(v);
     const int folded = this->FoldedAround(v);
-    moved.Points[v] = kept > 0.0 ? Vec3(kept * before + (1.0 - kept) * this->TheMesh.Points[v])
-                                 : this->TheMesh.Points[v];
-    this->ThePlacement.SetPoint(v, moved.Points[v]);
-    if (CutThrough(moved, pair[0], pair[1]) || this->FoldedAround(v) > folded)
+    const Vec3& from = this->TheMesh.Points[v];
+    this->ThePlacement.SetPoint(v, kept > 0.0 ? Vec3(kept * before + (1.0 - kept) * from) : from);
+    if (CutThrough(this->Now(), pair[0], pair[1]) || this->FoldedAround(v) > folded)
     {
-      moved.Points[v] = before;
       this->ThePlacement.SetPoint(v, before);
       return false;
     }
