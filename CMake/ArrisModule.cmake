@@ -62,6 +62,7 @@ set(sources
   Filters/Core/Robust/Account.cxx
   Filters/Core/Robust/Apexes.cxx
   Filters/Core/Robust/Creases.cxx
+  Filters/Core/Robust/DamageFinder.cxx
   Filters/Core/Robust/Denoised.cxx
   Filters/Core/Robust/Ears.cxx
   Filters/Core/Robust/EdgeFlips.cxx

@@ -4,6 +4,7 @@
 #include "Robust.h"
 
 #include "Apexes.h"
+#include "DamageFinder.h"
 #include "Core/Flagged.h"
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
@@ -13,12 +14,10 @@
 #include "FineBends.h"
 #include "GiveBack.h"
 #include "Junctions.h"
-#include "MeetingEdges.h"
 #include "Placement.h"
 #include "Retreat.h"
 #include "Ridge.h"
 #include "Straighten.h"
-#include "ThinFaces.h"
 #include "Untangle.h"
 
 #include <algorithm>
@@ -38,9 +37,6 @@ constexpr double Fitted = 0.8;
 /// Where edges meet, the first pass may not see all of them; on what it has recovered the next
 /// does.
 constexpr int RecoveryPasses = 2;
-
-/// As far as a turn looks, in edges.
-constexpr int TurnReach = 6;
 
 /// A mesh whose edges may be flipped.
 struct Flippable
@@ -205,37 +201,28 @@ private:
   /// Finds the sharp region.
   bool Classify(const Faces& faces, const Monitor& monitor)
   {
-    // A window that the user has set is the same everywhere; all else about a turn goes with it.
-    const double set = this->Parameters.WindowRadius / TurnWindow;
-    const std::vector<double> scales =
-      set > 0.0 ? std::vector<double>(this->Scales.size(), set) : this->Scales;
-    const bool first = this->Turns.empty();
-    if (!this->MeasureTurns(faces, scales, monitor))
+    const bool first = !this->Finder;
+    if (first)
+    {
+      this->Finder.emplace(
+        this->TheConnectivity, this->Scales, this->Parameters, this->Result.Rough, this->Together);
+    }
+    Flags before(this->Work.Points.size());
+    for (std::size_t v = 0; v < before.size(); ++v)
+    {
+      before[v] = this->Result.Region[this->WholeOf(v)];
+    }
+    if (!this->Finder->Find(this->Work, faces, before, this->Moved, monitor))
     {
       return false;
     }
-    const EdgeAngles angles = EdgeAngles::Of(this->Result.Rough, this->Parameters.SharpAngle);
-    SharpRegion sharp =
-      FindSharpRegion(this->Work, this->TheConnectivity, this->Turns, scales, angles);
-    this->Region = std::move(sharp.Vertices);
-    this->KeepRegion();
-    const bool rounded = this->IsRough() || sharp.Rounding > BlurRounding;
-    ExtendToOtherEdges(
-      this->Work, this->TheConnectivity, faces, scales, this->Turns, angles, rounded, this->Region);
-    if (this->Together)
-    {
-      AddJunctions(this->Together->Apart, this->Work.Points, this->Scales, this->Region);
-    }
-    if (sharp.Rounding <= BlurRounding) // a blur leaves no narrow face flat
-    {
-      SpareThinFaces(this->Work, this->TheConnectivity, faces, this->Scales, this->Region);
-    }
+    this->Region = std::move(this->Finder->Region);
     this->MarkJunctions(this->Region);
     if (first)
     {
-      this->Result.SharpAngle = angles.Seed;
-      this->Result.Rounding = sharp.Rounding;
-      this->TellTurns(scales);
+      this->Result.SharpAngle = this->Finder->Angles.Seed;
+      this->Result.Rounding = this->Finder->Rounding;
+      this->Finder->TellTurns(this->Result);
     }
     return true;
   }
@@ -257,56 +244,11 @@ private:
     }
   }
 
-  /// What an earlier pass has found damaged stays so, even where a shallow edge shows less now: a
-  /// gap would join the faces on its two sides.
-  void KeepRegion()
-  {
-    for (std::size_t v = 0; v < this->Region.size(); ++v)
-    {
-      this->Region[v] |= this->Result.Region[this->WholeOf(v)];
-    }
-  }
-
   void MarkJunctions(Flags& flags) const
   {
     for (std::size_t v = 0; this->Together && v < flags.size(); ++v)
     {
       flags[v] |= this->Together->Apart.Common[v];
-    }
-  }
-
-  /// Measures the turn where something has moved since it was measured last, at first everywhere.
-  bool MeasureTurns(const Faces& faces, const std::vector<double>& scales, const Monitor& monitor)
-  {
-    const bool first = this->Turns.empty();
-    this->Turns.resize(this->Work.Points.size());
-    const std::vector<int> away = first
-      ? std::vector<int>(this->Turns.size(), 0)
-      : EdgesAwayFrom(this->TheConnectivity, this->Moved, TurnReach);
-    return ParallelFor(this->Work.VertexCount(), monitor,
-      [&](Index begin, Index end)
-      {
-        TurnMeter meter(this->Work, this->TheConnectivity, faces, scales);
-        for (Index v = begin; v < end; ++v)
-        {
-          if (away[v] >= 0)
-          {
-            this->Turns[v] = meter.Measure(v);
-          }
-        }
-      });
-  }
-
-  void TellTurns(const std::vector<double>& scales)
-  {
-    this->Result.WindowRadii.resize(this->Turns.size());
-    this->Result.NormalDifferences.resize(this->Turns.size());
-    this->Result.Jumps.resize(this->Turns.size());
-    for (std::size_t v = 0; v < this->Turns.size(); ++v)
-    {
-      this->Result.WindowRadii[v] = TurnWindow * scales[v];
-      this->Result.NormalDifferences[v] = DifferenceOfAngle(this->Turns[v].Deviation);
-      this->Result.Jumps[v] = std::max(0.0, this->Turns[v].Jump);
     }
   }
 
@@ -436,7 +378,7 @@ private:
   Mesh Work; ///< what the passes before have made of the input, or of its smooth copy
   Flags Moved; ///< by the pass before
   std::optional<Faces> TheFaces;
-  std::vector<Turn> Turns;
+  std::optional<DamageFinder> Finder;
   Flags Region;
 };
 }
