@@ -163,25 +163,35 @@ private:
     {
       return false;
     }
-    RightAlready right =
-      FindRightAlready(this->Work, this->TheConnectivity, faces, this->Scales, labelling);
-    this->MarkJunctions(right.OnRidge);
-    const Ridge ridge = FindRidge(this->Work, this->TheConnectivity, faces, labelling, right);
+    Ridge ridge = this->RidgeBetween(faces, labelling);
     this->Result.ThinningSeconds += thinning.Seconds();
 
     const StopWatch sharpening;
+    if (this->IsLastPass())
+    {
+      this->TheFaces.reset(); // as what follows takes the most memory
+      this->Turns = {};
+    }
     if (this->Together)
     {
-      this->SharpenTogether(labelling, apexes, ridge);
+      this->SharpenTogether(labelling, apexes, std::move(ridge));
     }
     else
     {
       this->Sharpen(
         { this->Input, this->Work, this->TheConnectivity, labelling, this->Scales, this->Region },
-        apexes, ridge);
+        apexes, std::move(ridge));
     }
     this->Result.SharpeningSeconds += sharpening.Seconds();
     return true;
+  }
+
+  Ridge RidgeBetween(const Faces& faces, const Labelling& labelling) const
+  {
+    RightAlready right =
+      FindRightAlready(this->Work, this->TheConnectivity, faces, this->Scales, labelling);
+    this->MarkJunctions(right.OnRidge);
+    return FindRidge(this->Work, this->TheConnectivity, faces, labelling, right);
   }
 
   /// The faces as they are after the pass before.
@@ -264,8 +274,7 @@ private:
   };
 
   /// The same for an assembly, whose parts are known.
-  void SharpenTogether(
-    const Labelling& ofParts, const std::vector<Apex>& apexes, const Ridge& ridge)
+  void SharpenTogether(const Labelling& ofParts, const std::vector<Apex>& apexes, Ridge ridge)
   {
     const std::size_t count = this->WholeCount();
     const Mesh now{ std::vector<Vec3>(this->Work.Points.begin(), this->Work.Points.begin() + count),
@@ -279,13 +288,14 @@ private:
     const Labelling joined = JoinParts(this->Together->Apart, count, ofParts);
     this->Sharpen(
       { this->Together->TheMesh, now, this->Together->TheConnectivity, joined, scales, region },
-      apexes, ridge);
+      apexes, std::move(ridge));
   }
 
   /// Puts the damaged vertices on the faces around them, as far as nothing folds or cuts.
-  void Sharpen(const Labelled& mesh, const std::vector<Apex>& apexes, const Ridge& ridge)
+  void Sharpen(const Labelled& mesh, const std::vector<Apex>& apexes, Ridge ridge)
   {
-    Placement placement(mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Scales, ridge.FaceLabels);
+    Placement placement(
+      mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Scales, std::move(ridge.FaceLabels));
     placement.SetJunctions(InsideJunctions(mesh.Now, mesh.TheConnectivity));
     placement.SetWalls(FindWalls(mesh.Before, mesh.TheConnectivity, mesh.Region, mesh.Scales));
     const std::vector<Index> damaged = Flagged(mesh.Region);
