@@ -170,7 +170,7 @@ private:
     if (this->IsLastPass())
     {
       this->TheFaces.reset(); // as what follows takes the most memory
-      this->Turns = {};
+      this->Finder.reset();
     }
     if (this->Together)
     {
