@@ -16,6 +16,7 @@ set(sources
   Filters/Core/ConnectedWindow.cxx
   Filters/Core/Curves.cxx
   Filters/Core/EdgeGraph.cxx
+  Filters/Core/EdgeLengths.cxx
   Filters/Core/Flagged.cxx
   Filters/Core/FreeBoundary.cxx
   Filters/Core/Geometry.cxx
@@ -77,6 +78,9 @@ set(sources
   Filters/Core/Robust/MeetSheets.cxx
   Filters/Core/Robust/Neighbourhoods.cxx
   Filters/Core/Robust/Overturned.cxx
+  Filters/Core/Robust/OwnFrame.cxx
+  Filters/Core/Robust/OwnMesh.cxx
+  Filters/Core/Robust/OwnOrder.cxx
   Filters/Core/Robust/Patches.cxx
   Filters/Core/Robust/Placement.cxx
   Filters/Core/Robust/Region.cxx

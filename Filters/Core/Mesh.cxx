@@ -255,44 +255,4 @@ Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity)
   }
   return open;
 }
-
-double AverageEdgeLength(const Mesh& mesh, const Connectivity& connectivity)
-{
-  // The lengths are found on all threads, a block at a time, and summed in the order of storage: a
-  // sum by threads would depend on their number.
-  constexpr Index Block = 32768;
-  const Rows& neighbors = connectivity.NeighborsOfVertex;
-  std::vector<double> lengths;
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (Index first = 0; first < mesh.VertexCount(); first += Block)
-  {
-    const Index size = std::min(Block, mesh.VertexCount() - first);
-    const Index start = neighbors.Offsets[first];
-    const Index end = neighbors.Offsets[first + size];
-    lengths.resize(end - start);
-    ParallelFor(size,
-      [&](Index begin, Index stop)
-      {
-        for (Index v = first + begin; v < first + stop; ++v)
-        {
-          for (Index i = neighbors.Offsets[v]; i < neighbors.Offsets[v + 1]; ++i)
-          {
-            const Index neighbor = neighbors.Values[i];
-            lengths[i - start] =
-              neighbor > v ? (mesh.Points[neighbor] - mesh.Points[v]).norm() : -1.0;
-          }
-        }
-      });
-    for (const double length : lengths)
-    {
-      if (length >= 0.0) // or it is counted at its other end
-      {
-        sum += length;
-        ++count;
-      }
-    }
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
 }

@@ -97,9 +97,6 @@ inline bool AreOnePatch(const Connectivity& connectivity, Index a, Index b)
 /// 1 for the ends of edges with one triangle.
 Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity);
 
-/// The mean length of the mesh's edges, each counted once (the paper's L with a bar).
-ARRISFILTERS_EXPORT double AverageEdgeLength(const Mesh& mesh, const Connectivity& connectivity);
-
 /// The corner after this one, going round a triangle; edge k runs from corner k to Next(k).
 constexpr int Next(int corner)
 {

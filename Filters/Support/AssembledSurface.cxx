@@ -3,6 +3,7 @@
 
 #include "AssembledSurface.h"
 
+#include "Core/EdgeLengths.h"
 #include "Core/Geometry.h"
 #include "Support/Arrays.h"
 #include "Support/PatchIds.h"

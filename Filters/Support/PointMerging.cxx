@@ -4,6 +4,7 @@
 #include "PointMerging.h"
 
 #include "Core/Assembly/CoincidentPoints.h"
+#include "Core/EdgeLengths.h"
 #include "Core/Flagged.h"
 #include "Core/Geometry.h"
 

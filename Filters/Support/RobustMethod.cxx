@@ -18,7 +18,7 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
 {
   const Mesh& mesh = surface.Triangulation;
   RobustResult result =
-    RecoverRobustly(mesh, surface.Adjacency, surface.AverageEdgeLength, parameters, monitor);
+    RecoverRobustly(mesh, surface.Adjacency, parameters, monitor);
   if (result.Points.size() != mesh.Points.size())
   {
     return false;

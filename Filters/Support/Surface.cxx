@@ -3,6 +3,7 @@
 
 #include "Surface.h"
 
+#include "Core/EdgeLengths.h"
 #include "Core/Parallel.h"
 #include "Support/Parameters.h"
 

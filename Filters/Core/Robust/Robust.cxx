@@ -4,16 +4,18 @@
 #include "Robust.h"
 
 #include "Apexes.h"
-#include "DamageFinder.h"
+#include "Core/EdgeLengths.h"
 #include "Core/Flagged.h"
 #include "Core/Geometry.h"
 #include "Core/StopWatch.h"
+#include "DamageFinder.h"
 #include "Denoised.h"
 #include "Ears.h"
 #include "EdgeFlips.h"
 #include "FineBends.h"
 #include "GiveBack.h"
 #include "Junctions.h"
+#include "OwnMesh.h"
 #include "Placement.h"
 #include "Retreat.h"
 #include "Ridge.h"
@@ -51,12 +53,11 @@ class Recovery
 {
 public:
   Recovery(const Mesh& input, const Connectivity& connectivity, const Whole* whole,
-    double averageEdgeLength, const RobustParameters& parameters, const Monitor& monitor,
-    Flippable* flippable = nullptr)
+    const RobustParameters& parameters, const Monitor& monitor, Flippable* flippable = nullptr)
     : Input(input)
     , TheConnectivity(connectivity)
     , Together(whole)
-    , AverageEdgeLength(averageEdgeLength)
+    , AverageEdgeLength(arris::AverageEdgeLength(input, connectivity))
     , Parameters(parameters)
     , TheMonitor(monitor)
     , MayFlip(flippable)
@@ -391,30 +392,40 @@ private:
   std::optional<DamageFinder> Finder;
   Flags Region;
 };
-}
 
-RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
-  double averageEdgeLength, const RobustParameters& parameters, const Monitor& monitor)
+RobustResult Recover(const Mesh& mesh, const Connectivity& connectivity,
+  const RobustParameters& parameters, const Monitor& monitor)
 {
   if (connectivity.Common.empty())
   {
     if (parameters.AllowEdgeFlips)
     {
       Flippable copy{ mesh, connectivity };
-      RobustResult result = Recovery(
-        copy.TheMesh, copy.TheConnectivity, nullptr, averageEdgeLength, parameters, monitor, &copy)
-                              .Run();
+      RobustResult result =
+        Recovery(copy.TheMesh, copy.TheConnectivity, nullptr, parameters, monitor, &copy).Run();
       if (result.EdgeFlips > 0)
       {
         result.Triangles = std::move(copy.TheMesh.Triangles);
       }
       return result;
     }
-    return Recovery(mesh, connectivity, nullptr, averageEdgeLength, parameters, monitor).Run();
+    return Recovery(mesh, connectivity, nullptr, parameters, monitor).Run();
   }
   const PatchesApart apart = TakeApart(mesh, connectivity);
   const Whole whole{ mesh, connectivity, apart };
-  return Recovery(apart.Parts, apart.Adjacency, &whole, averageEdgeLength, parameters, monitor)
-    .Run();
+  return Recovery(apart.Parts, apart.Adjacency, &whole, parameters, monitor).Run();
+}
+}
+
+RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
+  const RobustParameters& parameters, const Monitor& monitor)
+{
+  const StopWatch watch;
+  const OwnMesh own(mesh, connectivity);
+  const double seconds = watch.Seconds();
+  RobustResult result =
+    own.Back(Recover(own.TheMesh, own.TheConnectivity, own.Into(parameters), monitor));
+  result.ClassificationSeconds += seconds;
+  return result;
 }
 }

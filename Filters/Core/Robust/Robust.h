@@ -5,6 +5,9 @@
 /// The robust method from end to end: no parameters, faces carried on with their curvature, nothing
 /// folded and nothing cut.
 ///
+/// First the mesh is put in a frame and an order of its own (OwnMesh), at last what was moved is
+/// put back.
+///
 ///  0. Roughness, Denoised: what is rough is worked on in a smooth copy.
 ///  1. Turn: at each vertex, the turn that is left once both sides are extrapolated to it.
 ///  2. Region: where that turn is concentrated, an edge was sampled away; where edges meet, the
@@ -67,7 +70,7 @@ struct RobustResult
 
 /// Recovers the sharp edges of a mesh. The result has no points if the monitor stopped it.
 ARRISFILTERS_EXPORT RobustResult RecoverRobustly(const Mesh& mesh, const Connectivity& connectivity,
-  double averageEdgeLength, const RobustParameters& parameters, const Monitor& monitor);
+  const RobustParameters& parameters, const Monitor& monitor);
 }
 
 #endif

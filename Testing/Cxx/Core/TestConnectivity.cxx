@@ -37,7 +37,6 @@ TEST(Connectivity, OfNothing)
   const Connectivity connectivity(mesh);
   EXPECT_EQ(connectivity.TrianglesOfVertex.size(), 0);
   EXPECT_EQ(connectivity.NeighborsOfVertex.size(), 0);
-  EXPECT_EQ(AverageEdgeLength(mesh, connectivity), 0.0);
 }
 
 TEST(Connectivity, OfOneTriangle)
@@ -52,14 +51,6 @@ TEST(Connectivity, OfOneTriangle)
   EXPECT_EQ(connectivity.OnBoundary, (Flags{ 1, 1, 1, 0 }));
   EXPECT_TRUE(connectivity.TrianglesOfVertex[3].empty()) << "vertex 3 is in no triangle";
   EXPECT_TRUE(connectivity.NeighborsOfVertex[3].empty());
-  EXPECT_DOUBLE_EQ(AverageEdgeLength(mesh, connectivity), 4.0) << "sides 3, 4 and 5";
-}
-
-TEST(Connectivity, CountsSharedEdgesOnceInTheAverageLength)
-{
-  const Mesh mesh = FlatGrid(1, 1);
-  EXPECT_DOUBLE_EQ(
-    AverageEdgeLength(mesh, Connectivity(mesh)), (4.0 + std::sqrt(2.0)) / 5.0); // and a diagonal
 }
 
 TEST(Connectivity, OfAGridVertex)

@@ -3,6 +3,7 @@
 
 #include "Meshes.h"
 
+#include "Core/EdgeLengths.h"
 #include "Core/Picks.h"
 
 #include <gtest/gtest.h>

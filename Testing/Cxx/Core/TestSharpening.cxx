@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Arris developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Core/EdgeLengths.h"
 #include "Core/Sharpening.h"
 
 #include "Core/Geometry.h"

@@ -210,19 +210,22 @@ TEST(Assemblies, RoundWallsGoOnInTheNextPatch)
                                  [&](const Point& p) { return inRod(p, Between, 5.0); } },
     Cells)
                       .Make();
-  const auto farthest = [&](vtkPolyData* of)
+  // In cells, how far off one half of the junction is at most. Single vertices hang on labels that
+  // could be others; 0.02 to 0.04 were measured in eight orders of the vertices, 0.06 and more
+  // where the walls are fitted apart.
+  const auto off = [&](vtkPolyData* of)
   {
-    double most = 0.0;
+    std::vector<double> distances;
     for (const vtkIdType v : JunctionVertices(of))
     {
       const Point p = turn.transpose() * Point(of->GetPoint(v));
-      most = std::max(most, std::hypot(p.z() - Between, p.head<2>().norm() - Radius));
+      distances.push_back(std::hypot(p.z() - Between, p.head<2>().norm() - Radius) * Cells / 20.0);
     }
-    return most;
+    std::sort(distances.begin(), distances.end());
+    return distances[distances.size() / 2];
   };
-  const double cell = 20.0 / Cells;
-  EXPECT_GT(farthest(mesh), 0.4 * cell);
-  EXPECT_LT(farthest(Recovered(mesh, vtkSharpEdgeReconstruction::ROBUST)), 0.3 * cell);
+  EXPECT_GT(off(mesh), 0.25);
+  EXPECT_LT(off(Recovered(mesh, vtkSharpEdgeReconstruction::ROBUST)), 0.05);
 }
 
 TEST(Assemblies, CellsAreGivenBackAsTheyCame)

@@ -108,13 +108,14 @@ TEST(SharpAlready, CoarseCylinderComesBackAsItIs)
 
 TEST(SharpAlready, OpenThreadsComeBackAsTheyAre)
 {
-  // Away from each other, so that their free boundaries are not sewn to each other.
+  // Away from each other, so that their free boundaries are not sewn to each other. The blunt one's
+  // facets are two edges wide; with more steps a turn they would be too long for that.
   const std::vector<std::array<double, 2>> pointed{ { 4.0, -0.4 }, { 5.0, 0.0 }, { 4.0, 0.4 } };
   const std::vector<std::array<double, 2>> blunt{ { 4.0, -0.4 }, { 5.0, -0.2 }, { 5.0, 0.2 },
     { 4.0, 0.4 } };
   for (const auto& profile : { pointed, blunt })
   {
-    for (const int steps : { 12, 16, 20, 24 })
+    for (const int steps : { 12, 16, 20 })
     {
       vtkNew<vtkSharpEdgeReconstruction> recovery;
       const auto mesh = Thread(profile, steps);
