@@ -10,9 +10,9 @@
 ///
 ///  0. Roughness, Denoised: what is rough is worked on in a smooth copy.
 ///  1. Turn: at each vertex, the turn that is left once both sides are extrapolated to it.
-///  2. Region: where that turn is concentrated, an edge was sampled away; where edges meet, the
-///  turn
-///     is taken without the other edge. FineBends: bends that are meant are left alone.
+///  2. DamageFinder, Region: where that turn is concentrated, an edge was sampled away; where edges
+///     meet, the turn is taken without the other edge. FineBends: bends that are meant are left
+///     alone.
 ///  3. ThinFaces, Patches: the intact vertices around, sorted into faces.
 ///  4. Sheet, Sides: each face carried on to each damaged vertex, as a plane or a torus.
 ///  5. Unexplained: vertices far from all of these are a narrow face's own.
