@@ -89,8 +89,8 @@ std::vector<Index> WithoutTips(const std::vector<Index>& vertices, const std::ve
   }
   std::sort(ofTips.begin(), ofTips.end());
   std::vector<Index> others;
-  std::set_difference(vertices.begin(), vertices.end(), ofTips.begin(), ofTips.end(),
-    std::back_inserter(others));
+  std::set_difference(
+    vertices.begin(), vertices.end(), ofTips.begin(), ofTips.end(), std::back_inserter(others));
   return others;
 }
 
