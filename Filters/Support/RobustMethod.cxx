@@ -17,8 +17,7 @@ bool RecoverByRobust(vtkPolyData* input, const Surface& surface, const RobustPar
   const Monitor& monitor, vtkPolyData* output)
 {
   const Mesh& mesh = surface.Triangulation;
-  RobustResult result =
-    RecoverRobustly(mesh, surface.Adjacency, parameters, monitor);
+  RobustResult result = RecoverRobustly(mesh, surface.Adjacency, parameters, monitor);
   if (result.Points.size() != mesh.Points.size())
   {
     return false;

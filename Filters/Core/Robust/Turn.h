@@ -40,8 +40,8 @@ public:
     const std::vector<double>& scales);
 
   /// Looks past no triangle with two corners or more in `region`, from now on: what lies beyond
-  /// another edge has no part in the turn. Of a side that ends there, what is left beside the vertex
-  /// is taken, unless edges are rounded: then that is bent.
+  /// another edge has no part in the turn. Of a side that ends there, what is left beside the
+  /// vertex is taken, unless edges are rounded: then that is bent.
   void LookWithin(const Flags& region, bool rounded)
   {
     this->Barrier = &region;

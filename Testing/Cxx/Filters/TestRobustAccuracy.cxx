@@ -56,8 +56,8 @@ INSTANTIATE_TEST_SUITE_P(Solids, RobustAccuracy,
     Model{ "Bracket", BracketSolid, 50.0 }),
   ModelName);
 
-// Of tightly curved faces, what has nearly one normal is too narrow to tell a curvature by. Of these
-// rims 78 % come back, and 67 % where no more than that is fitted.
+// Of tightly curved faces, what has nearly one normal is too narrow to tell a curvature by. Of
+// these rims 78 % come back, and 67 % where no more than that is fitted.
 TEST(RobustAccuracyOfRods, RimsOfFewCellsComeBack)
 {
   constexpr int Samples = 64;
