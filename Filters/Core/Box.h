@@ -9,6 +9,8 @@
 
 #include "Mesh.h"
 
+#include <limits>
+
 namespace arris
 {
 struct Box
@@ -17,6 +19,15 @@ struct Box
   Vec3 High = Vec3::Zero();
 
   Box() = default;
+
+  /// Around nothing.
+  static Box Empty()
+  {
+    Box box;
+    box.Low = Vec3::Constant(std::numeric_limits<double>::max());
+    box.High = -box.Low;
+    return box;
+  }
 
   /// Around a triangle.
   Box(const MeshView& mesh, Index t)
@@ -40,6 +51,11 @@ struct Box
   {
     this->Low = this->Low.cwiseMin(other.Low);
     this->High = this->High.cwiseMax(other.High);
+  }
+  void Include(const Vec3& point)
+  {
+    this->Low = this->Low.cwiseMin(point);
+    this->High = this->High.cwiseMax(point);
   }
   void ClipTo(const Box& other)
   {

@@ -3,13 +3,13 @@
 
 #include "OwnFrame.h"
 
+#include "Core/Box.h"
 #include "Core/EdgeLengths.h"
 #include "Core/ExactSum.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <limits>
 #include <mutex>
 
 namespace arris
@@ -29,19 +29,6 @@ constexpr double WidestMesh = 1 << 20;
 constexpr double LeastDifference = 1e-6;
 constexpr double LeastSkewness = 1e-6;
 
-/// The box around all vertices that triangles name.
-struct Box
-{
-  Vec3 Low = Vec3::Constant(std::numeric_limits<double>::max());
-  Vec3 High = -Low;
-
-  void Add(const Vec3& low, const Vec3& high)
-  {
-    this->Low = this->Low.cwiseMin(low);
-    this->High = this->High.cwiseMax(high);
-  }
-};
-
 /// The vertices that triangles name, and their moments.
 class Cloud
 {
@@ -50,21 +37,21 @@ public:
     : TheMesh(mesh)
     , TheConnectivity(connectivity)
   {
-    Box box;
+    Box box = Box::Empty();
     std::mutex mutex;
     ParallelFor(mesh.VertexCount(),
       [&](Index begin, Index end)
       {
-        Box own;
+        Box own = Box::Empty();
         for (Index v = begin; v < end; ++v)
         {
           if (this->IsNamed(v))
           {
-            own.Add(mesh.Points[v], mesh.Points[v]);
+            own.Include(mesh.Points[v]);
           }
         }
         const std::lock_guard<std::mutex> lock(mutex);
-        box.Add(own.Low, own.High);
+        box.Include(own);
       });
     this->Centre = 0.5 * (box.Low + box.High);
     this->Width = (box.High - box.Low).norm();
