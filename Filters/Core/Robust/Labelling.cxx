@@ -93,6 +93,7 @@ std::vector<Index> WithoutTips(const std::vector<Index>& vertices, const std::ve
     vertices.begin(), vertices.end(), ofTips.begin(), ofTips.end(), std::back_inserter(others));
   return others;
 }
+}
 
 void LabelTips(const std::vector<Apex>& apexes, Labelling& labelling)
 {
@@ -106,7 +107,6 @@ void LabelTips(const std::vector<Apex>& apexes, Labelling& labelling)
     }
     ++label;
   }
-}
 }
 
 bool LabelVertices(const Surroundings& around, const std::vector<Apex>& apexes,

@@ -35,10 +35,13 @@ struct Labelling
   const LocalSolid* SolidAt(Index vertex) const;
 };
 
+/// Gives the vertices of each tip one label of its own and no sides, so that no ridge runs around
+/// it.
+ARRISFILTERS_EXPORT void LabelTips(const std::vector<Apex>& apexes, Labelling& labelling);
+
 /// Fits the sides of every vertex of the region, sorts what is intact into patches, gives narrow
-/// faces back to the intact part (which shrinks the region), and labels the rest. The vertices of
-/// each tip get one label of its own and no sides, so that no ridge runs around it. False if the
-/// monitor stopped it.
+/// faces back to the intact part (which shrinks the region), and labels the rest, tips
+/// included. False if the monitor stopped it.
 bool LabelVertices(const Surroundings& around, const std::vector<Apex>& apexes,
   const Monitor& monitor, Flags& region, Labelling& labelling);
 }

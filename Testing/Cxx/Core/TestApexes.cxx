@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Arris developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Core/Robust/Apexes.h"
+#include "Core/Robust/Labelling.h"
 
 #include "Meshes.h"
 
@@ -82,6 +82,27 @@ TEST(Apexes, IsWhereThePlanesAroundMeet)
   EXPECT_LT(apexes[0].Tip.norm(), 1e-9); // all of its planes go through the origin
   EXPECT_EQ(apexes[0].Vertex, 0);
   EXPECT_EQ(apexes[0].Members, TipAndItsRing);
+}
+
+TEST(Apexes, HasALabelOfItsOwnAndNoSides)
+{
+  const Mesh cone = BluntCone(6, Sectors, 1.0);
+  Labelling labelling;
+  labelling.Labels.assign(cone.Points.size(), 0);
+  labelling.SidesOf.assign(cone.Points.size(), NoIndex);
+  for (const Index v : TipAndItsRing)
+  {
+    labelling.SidesOf[v] = static_cast<Index>(labelling.Sides.size());
+    labelling.Sides.emplace_back(1);
+  }
+  labelling.FirstApexLabel = 5;
+  LabelTips(Find(cone, TipAndItsRing), labelling);
+  for (const Index v : TipAndItsRing)
+  {
+    EXPECT_EQ(labelling.Labels[v], 5);
+    EXPECT_TRUE(labelling.Sides[labelling.SidesOf[v]].empty());
+  }
+  EXPECT_EQ(labelling.Labels.back(), 0) << "what is intact keeps its patch";
 }
 
 TEST(Apexes, IsNoneInADentOfANearlyFlatFace)
