@@ -92,16 +92,20 @@ void ExpectSame(const Rows& a, const Rows& b)
   EXPECT_EQ(a.Offsets, b.Offsets);
   EXPECT_EQ(a.Values, b.Values);
 }
-}
 
-TEST(OwnMesh, IsTheSameHoweverStored)
+void ExpectSameHoweverStored(const Mesh& mesh)
 {
-  const Mesh mesh = Chest();
   std::vector<Index> place;
   const Mesh other = Shuffled(mesh, place);
   const OwnMesh one = Own(mesh), two = Own(other);
   EXPECT_EQ(one.TheMesh.Points, two.TheMesh.Points);
   EXPECT_EQ(one.TheMesh.Triangles, two.TheMesh.Triangles);
+}
+}
+
+TEST(OwnMesh, IsTheSameHoweverStored)
+{
+  ExpectSameHoweverStored(Chest());
 }
 
 TEST(OwnMesh, IsTheSameWhereSeveralVerticesAreAtOnePoint)
@@ -110,11 +114,7 @@ TEST(OwnMesh, IsTheSameWhereSeveralVerticesAreAtOnePoint)
   const Vec3 at = mesh.Points[mesh.Triangles[7][0]];
   mesh.Points[mesh.Triangles[7][1]] = at;
   mesh.Points[mesh.Triangles[7][2]] = at;
-  std::vector<Index> place;
-  const Mesh other = Shuffled(mesh, place);
-  const OwnMesh one = Own(mesh), two = Own(other);
-  EXPECT_EQ(one.TheMesh.Points, two.TheMesh.Points);
-  EXPECT_EQ(one.TheMesh.Triangles, two.TheMesh.Triangles);
+  ExpectSameHoweverStored(mesh);
 }
 
 TEST(OwnMesh, IsTheSameElsewhereTurnedMirroredAndInAnotherUnit)
