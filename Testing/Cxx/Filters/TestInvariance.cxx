@@ -178,10 +178,7 @@ vtkSmartPointer<vtkPolyData> Shuffled(vtkPolyData* mesh, std::vector<vtkIdType>&
   shuffled->SetPolys(cells);
   return shuffled;
 }
-}
 
-namespace
-{
 /// All arrays of points to the last bit, and where the points are.
 void ExpectSameButForOrder(
   vtkPolyData* one, vtkPolyData* shuffled, const std::vector<vtkIdType>& place)
