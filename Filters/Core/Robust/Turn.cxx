@@ -138,7 +138,10 @@ void TurnMeter::MeasureAcross(
     const int which = s > 0.0 ? 1 : 0;
     if (reach < RingInner)
     {
-      close[which].Add(s, seen.Area, seen.AreaVector);
+      if (this->BelieveClose)
+      {
+        close[which].Add(s, seen.Area, seen.AreaVector);
+      }
       continue;
     }
     if (squared <= RingOuter * RingOuter)
