@@ -89,6 +89,7 @@ set(sources
   Filters/Core/Robust/RightAlready.cxx
   Filters/Core/Robust/Robust.cxx
   Filters/Core/Robust/Roughness.cxx
+  Filters/Core/Robust/Settled.cxx
   Filters/Core/Robust/Sheet.cxx
   Filters/Core/Robust/Sides.cxx
   Filters/Core/Robust/Straighten.cxx

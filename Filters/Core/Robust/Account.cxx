@@ -30,8 +30,16 @@ std::vector<int> DistancesFromIntact(const Connectivity& connectivity, const Fla
   return rounds;
 }
 
-/// The part of a damaged vertex by the number of its ridges' other ends.
-SkeletonRole RoleOf(const Connectivity& connectivity, const Placement& placement, Index v)
+/// Whether all that was told of a damaged vertex after the pass before still is true.
+bool Stays(const Placement& placement, Index v)
+{
+  return placement.IsDamaged(v) && placement.IsSettled(v) && !placement.IsGivenBack(v);
+}
+
+/// The part of a damaged vertex by the number of its ridges' other ends; `roles` has those of the
+/// vertices that stay.
+SkeletonRole RoleOf(const Connectivity& connectivity, const Placement& placement,
+  const std::vector<SkeletonRole>& roles, Index v)
 {
   const std::size_t faces = placement.SheetsOf(v).size();
   if (faces < 2)
@@ -42,11 +50,13 @@ SkeletonRole RoleOf(const Connectivity& connectivity, const Placement& placement
   {
     return SkeletonRole::Joint;
   }
-  int ridges = 0;
-  for (Index n : connectivity.NeighborsOfVertex[v])
-  {
-    ridges += placement.IsDamaged(n) && placement.SheetsOf(n).size() > 1 ? 1 : 0;
-  }
+  const IndexSpan neighbors = connectivity.NeighborsOfVertex[v];
+  const auto ridges = std::count_if(neighbors.begin(), neighbors.end(),
+    [&](Index n)
+    {
+      return Stays(placement, n) ? roles[n] != SkeletonRole::None
+                                 : placement.IsDamaged(n) && placement.SheetsOf(n).size() > 1;
+    });
   return ridges > 1 ? SkeletonRole::Branch : SkeletonRole::End;
 }
 
@@ -73,20 +83,30 @@ Outcome OutcomeOf(Index v, const Vec3& input, const Vec3& wanted, const Placemen
 }
 }
 
-void TellSkeleton(
-  const Connectivity& connectivity, const Placement& placement, RobustResult& result)
+void TellRoles(const Connectivity& connectivity, const Placement& placement, RobustResult& result)
 {
-  result.Roles.assign(result.Region.size(), SkeletonRole::None);
+  result.Roles.resize(result.Region.size(), SkeletonRole::None);
+  for (std::size_t v = 0; v < result.Region.size(); ++v)
+  {
+    const Index vertex = static_cast<Index>(v);
+    if (!placement.IsDamaged(vertex))
+    {
+      result.Roles[v] = SkeletonRole::None;
+    }
+    else if (!Stays(placement, vertex))
+    {
+      result.Roles[v] = RoleOf(connectivity, placement, result.Roles, vertex);
+    }
+  }
+}
+
+void TellRounds(const Connectivity& connectivity, RobustResult& result)
+{
   result.Rounds = DistancesFromIntact(connectivity, result.Region);
   const int last =
     result.Rounds.empty() ? 0 : *std::max_element(result.Rounds.begin(), result.Rounds.end());
   for (std::size_t v = 0; v < result.Region.size(); ++v)
   {
-    const Index vertex = static_cast<Index>(v);
-    if (placement.IsDamaged(vertex))
-    {
-      result.Roles[v] = RoleOf(connectivity, placement, vertex);
-    }
     if (result.Roles[v] != SkeletonRole::None)
     {
       result.Rounds[v] = last + 1;
@@ -99,12 +119,13 @@ void TellOutcomes(const std::vector<Vec3>& input, const std::vector<Vec3>& wante
 {
   for (std::size_t v = 0; v < input.size(); ++v)
   {
-    const Outcome outcome = OutcomeOf(static_cast<Index>(v), input[v], wanted[v], placement);
-    const bool untouched =
-      !placement.IsDamaged(static_cast<Index>(v)) && result.Outcomes[v] != Outcome::Intact;
+    const Index vertex = static_cast<Index>(v);
+    const bool untouched = Stays(placement, vertex)
+      ? placement.PointOf(vertex) == wanted[v]
+      : !placement.IsDamaged(vertex) && result.Outcomes[v] != Outcome::Intact;
     if (!untouched) // by this pass; what an earlier one has done stands
     {
-      result.Outcomes[v] = outcome;
+      result.Outcomes[v] = OutcomeOf(vertex, input[v], wanted[v], placement);
     }
   }
 }

@@ -26,9 +26,17 @@ enum class Outcome : unsigned char
   Smoothed = 6 ///< outside the sharp region, but denoised
 };
 
-/// Fills Roles and Rounds: the skeleton, and how far from the intact surface the others are.
-void TellSkeleton(
-  const Connectivity& connectivity, const Placement& placement, RobustResult& result);
+/// Whether a damaged vertex is not where it belongs, as far as is known.
+inline bool IsOutOfPlace(Outcome outcome)
+{
+  return outcome == Outcome::NoFace || outcome == Outcome::TooFar || outcome == Outcome::HeldBack;
+}
+
+/// Brings Roles up to date: who is on the skeleton.
+void TellRoles(const Connectivity& connectivity, const Placement& placement, RobustResult& result);
+
+/// Fills Rounds: how far from the intact surface the vertices of the region are.
+void TellRounds(const Connectivity& connectivity, RobustResult& result);
 
 /// Brings Outcomes up to date, from where vertices were in the input, and where this pass had them
 /// before some had to go back.

@@ -79,6 +79,13 @@ bool LabelUnblurred(
   return true;
 }
 
+std::vector<Index> Without(std::vector<Index> vertices, const Flags& left)
+{
+  const auto isLeft = [&](Index v) { return !left.empty() && left[v] != 0; };
+  vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isLeft), vertices.end());
+  return vertices;
+}
+
 /// Those of the vertices, in ascending order, that are of no tip.
 std::vector<Index> WithoutTips(const std::vector<Index>& vertices, const std::vector<Apex>& apexes)
 {
@@ -110,7 +117,7 @@ void LabelTips(const std::vector<Apex>& apexes, Labelling& labelling)
 }
 
 bool LabelVertices(const Surroundings& around, const std::vector<Apex>& apexes,
-  const Monitor& monitor, Flags& region, Labelling& labelling)
+  const Flags& unfitted, const Monitor& monitor, Flags& region, Labelling& labelling)
 {
   Patches patches = SortIntoPatches(
     around.TheMesh, around.TheConnectivity, around.TheFaces, around.Flatness, region);
@@ -126,20 +133,21 @@ bool LabelVertices(const Surroundings& around, const std::vector<Apex>& apexes,
     region, patches, 0.0 };
   const double labelled = around.IsBlurred() ? BlurredLabelled : 1.0;
   const double fitted = FirstFit * labelled;
-  if (!FitSides(around, samples, damaged, monitor.Part(0.0, fitted), labelling))
+  const std::vector<Index> open = Without(damaged, unfitted);
+  if (!FitSides(around, samples, open, monitor.Part(0.0, fitted), labelling))
   {
     return false;
   }
 
   const std::vector<Index> released =
-    ReleaseUnexplained(around, WithoutTips(damaged, apexes), labelling, region);
+    ReleaseUnexplained(around, WithoutTips(open, apexes), labelling, region);
   AddNarrowPatches(
     around.TheConnectivity, around.TheFaces, around.Flatness, region, released, patches);
   for (Index v : released)
   {
     labelling.SidesOf[v] = NoIndex;
   }
-  const std::vector<Index> again = DamagedNear(around, released, region);
+  const std::vector<Index> again = Without(DamagedNear(around, released, region), unfitted);
   if (!FitSides(around, samples, again, monitor.Part(fitted, labelled), labelling))
   {
     return false;

@@ -39,11 +39,11 @@ struct Labelling
 /// it.
 ARRISFILTERS_EXPORT void LabelTips(const std::vector<Apex>& apexes, Labelling& labelling);
 
-/// Fits the sides of every vertex of the region, sorts what is intact into patches, gives narrow
-/// faces back to the intact part (which shrinks the region), and labels the rest, tips
-/// included. False if the monitor stopped it.
+/// Fits the sides of every vertex of the region, but for those that are `unfitted` (empty if none
+/// are), sorts what is intact into patches, gives narrow faces back to the intact part (which
+/// shrinks the region), and labels the rest, tips included. False if the monitor stopped it.
 bool LabelVertices(const Surroundings& around, const std::vector<Apex>& apexes,
-  const Monitor& monitor, Flags& region, Labelling& labelling);
+  const Flags& unfitted, const Monitor& monitor, Flags& region, Labelling& labelling);
 }
 
 #endif

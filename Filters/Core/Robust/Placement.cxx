@@ -165,7 +165,7 @@ void Placement::Pin(Index vertex, const Vec3& point)
 
 void Placement::Place(Index vertex)
 {
-  if (this->Pinned[this->TheLabelling.SidesOf[vertex]])
+  if (this->Pinned[this->TheLabelling.SidesOf[vertex]] || this->IsSettled(vertex))
   {
     return;
   }

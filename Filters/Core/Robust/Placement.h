@@ -42,6 +42,13 @@ public:
     return this->Sheets[damaged].empty() && !this->Pinned[damaged] && !this->GivenBack[damaged];
   }
 
+  /// Keeps what an earlier pass has placed, and this one need not, where it is (see Settled.h).
+  void SetSettled(Flags settled) { this->SettledVertices = std::move(settled); }
+  bool IsSettled(Index vertex) const
+  {
+    return !this->SettledVertices.empty() && this->SettledVertices[vertex] != 0;
+  }
+
   /// Whether a damaged vertex was put back where it came from.
   bool IsGivenBack(Index vertex) const
   {
@@ -147,6 +154,7 @@ private:
   Flags OnCurve; // the same
   std::vector<std::unique_ptr<Sheet>> Walls; // the same; null where there is none
   Flags InsideJunctions; // of all vertices; empty if there are none
+  Flags SettledVertices; // the same
 };
 }
 

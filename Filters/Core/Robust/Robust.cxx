@@ -19,6 +19,7 @@
 #include "Placement.h"
 #include "Retreat.h"
 #include "Ridge.h"
+#include "Settled.h"
 #include "Straighten.h"
 #include "Untangle.h"
 
@@ -160,7 +161,8 @@ private:
       this->Result.NormalDifferences, this->Result.Rounding, this->Result.Rough, this->Together };
     const std::vector<Apex> apexes = FindApexes(around, this->Region);
     Labelling labelling;
-    if (!LabelVertices(around, apexes, monitor.Part(Measured, Fitted), this->Region, labelling))
+    if (!LabelVertices(around, apexes, this->Stays.Unfitted, monitor.Part(Measured, Fitted),
+          this->Region, labelling))
     {
       return false;
     }
@@ -235,7 +237,32 @@ private:
       this->Result.Rounding = this->Finder->Rounding;
       this->Finder->TellTurns(this->Result);
     }
+    else
+    {
+      this->SettleWhatStays(before);
+    }
     return true;
+  }
+
+  /// After the first pass, leaves alone what is far from all vertices that are in the region now
+  /// and were not before, or the other way round, or that the pass before has not put in place.
+  void SettleWhatStays(const Flags& before)
+  {
+    Flags open(this->WholeCount(), 0);
+    for (std::size_t v = 0; v < before.size(); ++v)
+    {
+      const Index whole = this->WholeOf(v);
+      open[whole] |=
+        this->Region[v] != before[v] || IsOutOfPlace(this->Result.Outcomes[whole]) ? 1 : 0;
+    }
+    const Connectivity& ofWhole =
+      this->Together ? this->Together->TheConnectivity : this->TheConnectivity;
+    this->Stays = FindSettled(this->Work, ofWhole, this->Scales, Flagged(open));
+    this->Stays.Vertices.resize(this->WholeCount()); // which are placed together
+    for (std::size_t v = this->WholeCount(); v < this->Work.Points.size(); ++v)
+    {
+      this->Stays.Unfitted[v] = this->Stays.Unfitted[this->WholeOf(v)];
+    }
   }
 
   /// Of a mesh that seems blurred or rough, leaves bends alone that are meant; unless the user has
@@ -297,6 +324,7 @@ private:
   {
     Placement placement(
       mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Scales, std::move(ridge.FaceLabels));
+    placement.SetSettled(std::move(this->Stays.Vertices));
     placement.SetJunctions(InsideJunctions(mesh.Now, mesh.TheConnectivity));
     placement.SetWalls(FindWalls(mesh.Before, mesh.TheConnectivity, mesh.Region, mesh.Scales));
     const std::vector<Index> damaged = Flagged(mesh.Region);
@@ -334,9 +362,10 @@ private:
     {
       this->Result.Region[v] |= mesh.Region[v];
     }
+    TellRoles(mesh.TheConnectivity, placement, this->Result);
     if (this->IsLastPass())
     {
-      TellSkeleton(mesh.TheConnectivity, placement, this->Result);
+      TellRounds(mesh.TheConnectivity, this->Result);
     }
     TellOutcomes(mesh.Before.Points, wanted, placement, this->Result);
     this->TakePoints(placement.AllPoints());
@@ -390,6 +419,7 @@ private:
   Flags Moved; ///< by the pass before
   std::optional<Faces> TheFaces;
   std::optional<DamageFinder> Finder;
+  Settled Stays; ///< empty in the first one
   Flags Region;
 };
 

@@ -21,6 +21,8 @@
 ///  8. Placement, MeetSheets: each vertex put on the faces around it.
 ///  9. Untangle, Straighten, Retreat: folded triangles mended, notches straightened, what cannot be
 ///     mended given back.
+///
+/// Then once more from the first step on what came out; Settled: but only around what that shows.
 
 #ifndef arris_Robust_Robust_h
 #define arris_Robust_Robust_h

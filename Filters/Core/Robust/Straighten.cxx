@@ -71,8 +71,9 @@ private:
   /// there the faces are known, and creases are not all there is.
   bool Improve(Index v)
   {
-    if (this->ThePlacement.IsPinned(v) || this->ThePlacement.SheetsOf(v).size() > 2 ||
-      this->IsCommon(v) || this->ThePlacement.HasWall(v))
+    if (this->ThePlacement.IsPinned(v) || this->ThePlacement.IsSettled(v) ||
+      this->ThePlacement.SheetsOf(v).size() > 2 || this->IsCommon(v) ||
+      this->ThePlacement.HasWall(v))
     {
       return false;
     }
