@@ -62,12 +62,14 @@ set(sources
   Filters/Core/Fits/Refine.cxx
   Filters/Core/Robust/Account.cxx
   Filters/Core/Robust/Apexes.cxx
+  Filters/Core/Robust/Clusters.cxx
   Filters/Core/Robust/Creases.cxx
   Filters/Core/Robust/DamageFinder.cxx
   Filters/Core/Robust/Denoised.cxx
   Filters/Core/Robust/Ears.cxx
   Filters/Core/Robust/EdgeFlips.cxx
   Filters/Core/Robust/Faces.cxx
+  Filters/Core/Robust/FanWorth.cxx
   Filters/Core/Robust/FineBends.cxx
   Filters/Core/Robust/GiveBack.cxx
   Filters/Core/Robust/Junctions.cxx
@@ -76,6 +78,7 @@ set(sources
   Filters/Core/Robust/LocalSolid.cxx
   Filters/Core/Robust/MeetingEdges.cxx
   Filters/Core/Robust/MeetSheets.cxx
+  Filters/Core/Robust/Mender.cxx
   Filters/Core/Robust/Neighbourhoods.cxx
   Filters/Core/Robust/Overturned.cxx
   Filters/Core/Robust/OwnFrame.cxx

@@ -9,23 +9,20 @@
 
 namespace arris
 {
-namespace
+bool MayFold(const Mesh& mesh, const Connectivity& connectivity, Index triangle, Index beyond)
 {
-/// Of the cosine between the normals of two triangles that lie on each other, to 10 degrees.
-constexpr double FoldedSquare = 0.969846310;
-
-/// Whether triangles with these area vectors lie on each other, if they have an edge in common.
-bool AreFolded(const Vec3& a, const Vec3& b)
-{
-  const double dot = a.dot(b);
-  return dot < 0.0 && dot * dot > FoldedSquare * a.squaredNorm() * b.squaredNorm();
+  return AreOnePatch(connectivity, triangle, beyond) && // patches face as they please
+    !AreFolded(Corners(mesh, triangle).AreaVector(), Corners(mesh, beyond).AreaVector());
 }
 
-/// Whether the triangle faces against all that share a vertex with it, itself included.
 bool FacesAgainstAll(
-  const Mesh& mesh, const Connectivity& connectivity, const Vec3& area, Index triangle)
+  const Mesh& mesh, const Connectivity& connectivity, const Vec3& area, Index triangle, Vec3& other)
 {
-  const auto isAgainst = [&](Index t) { return area.dot(Corners(mesh, t).AreaVector()) < 0.0; };
+  const auto isAgainst = [&](Index t)
+  {
+    other = Corners(mesh, t).AreaVector();
+    return area.dot(other) < 0.0;
+  };
   const Triangle& corners = mesh.Triangles[triangle];
   return isAgainst(triangle) &&
     std::all_of(corners.begin(), corners.end(),
@@ -34,7 +31,6 @@ bool FacesAgainstAll(
         const IndexSpan around = connectivity.TrianglesOfVertex[v];
         return std::all_of(around.begin(), around.end(), isAgainst);
       });
-}
 }
 
 bool IsOverturned(const Mesh& mesh, const Connectivity& connectivity,
@@ -45,12 +41,12 @@ bool IsOverturned(const Mesh& mesh, const Connectivity& connectivity,
   {
     if (beyond != NoIndex &&
       AreFolded(area, Corners(points, mesh.Triangles[beyond]).AreaVector()) &&
-      AreOnePatch(connectivity, triangle, beyond) && // patches face as they please
-      !AreFolded(Corners(mesh, triangle).AreaVector(), Corners(mesh, beyond).AreaVector()))
+      MayFold(mesh, connectivity, triangle, beyond))
     {
       return true;
     }
   }
-  return FacesAgainstAll(mesh, connectivity, area, triangle);
+  Vec3 other;
+  return FacesAgainstAll(mesh, connectivity, area, triangle, other);
 }
 }

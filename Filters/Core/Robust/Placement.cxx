@@ -217,12 +217,12 @@ const Sheet* Placement::SheetOf(Index triangle) const
   return nullptr;
 }
 
-double ShapeQuality(const Corners& corners, const Vec3& expected)
+double ShapeQuality(const Corners& corners, const Vec3& areaVector, const Vec3& expected)
 {
   constexpr double Equilateral = 3.4641016151377544; // 2 sqrt(3)
   const double lengths = (corners.B - corners.A).squaredNorm() +
     (corners.C - corners.B).squaredNorm() + (corners.A - corners.C).squaredNorm();
-  return lengths > 0.0 ? Equilateral * corners.AreaVector().dot(expected) / lengths : 0.0;
+  return lengths > 0.0 ? Equilateral * areaVector.dot(expected) / lengths : 0.0;
 }
 
 double Placement::Quality(Index t) const

@@ -20,7 +20,11 @@ namespace arris
 {
 /// 1 for an equilateral triangle, 0 for one without area, negative for one that faces away from
 /// `expected`, a unit vector.
-double ShapeQuality(const Corners& corners, const Vec3& expected);
+double ShapeQuality(const Corners& corners, const Vec3& areaVector, const Vec3& expected);
+inline double ShapeQuality(const Corners& corners, const Vec3& expected)
+{
+  return ShapeQuality(corners, corners.AreaVector(), expected);
+}
 
 /// Better than this a triangle need not become.
 constexpr double GoodEnoughQuality = 0.15;
