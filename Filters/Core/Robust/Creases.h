@@ -21,12 +21,19 @@
 
 namespace arris
 {
-/// The creases of the edges of all triangles at a vertex, were the mesh's vertices at `points`. In
-/// units of length times the root of an angle in radians. Not added up to the end where they are
-/// `enough` before.
+/// The creases of the edges of all triangles at a vertex, were the mesh's vertices at `points`, but
+/// this one `at` another. In units of length times the root of an angle in radians. Not added up to
+/// the end where they are `enough` before.
 ARRISFILTERS_EXPORT double CreasesAround(const std::vector<Triangle>& triangles,
-  const Connectivity& connectivity, const std::vector<Vec3>& points, Index vertex,
+  const Connectivity& connectivity, const std::vector<Vec3>& points, Index vertex, const Vec3& at,
   double enough = std::numeric_limits<double>::infinity());
+
+/// The same with all of them at `points`.
+inline double CreasesAround(const std::vector<Triangle>& triangles,
+  const Connectivity& connectivity, const std::vector<Vec3>& points, Index vertex)
+{
+  return CreasesAround(triangles, connectivity, points, vertex, points[vertex]);
+}
 }
 
 #endif

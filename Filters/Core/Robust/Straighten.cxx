@@ -3,7 +3,9 @@
 
 #include "Straighten.h"
 
+#include "Core/Flagged.h"
 #include "Core/Geometry.h"
+#include "Core/Parallel.h"
 #include "Core/SortUnique.h"
 #include "Creases.h"
 #include "MeetSheets.h"
@@ -11,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace arris
 {
@@ -28,6 +32,8 @@ constexpr int Sweeps = 4;
 /// Twice the area of a triangle over the sum of its squared edges; under this it is a needle.
 constexpr double LeastShape = 0.02;
 
+constexpr double Unlimited = std::numeric_limits<double>::infinity();
+
 class Straightener
 {
 public:
@@ -38,6 +44,7 @@ public:
     , TheLabelling(labelling)
     , Input(input)
     , ThePlacement(placement)
+    , ColourOf(mesh.Points.size(), NoIndex)
   {
   }
 
@@ -46,14 +53,7 @@ public:
     std::vector<Index> open = damaged;
     for (int sweep = 0; sweep < Sweeps && !open.empty(); ++sweep)
     {
-      std::vector<Index> changed;
-      for (Index v : open)
-      {
-        if (this->Improve(v))
-        {
-          changed.push_back(v);
-        }
-      }
+      const std::vector<Index> changed = this->Sweep(open);
       this->Relabel(changed);
       open = this->DamagedAround(changed);
     }
@@ -66,48 +66,138 @@ private:
     std::vector<const Sheet*> Sheets;
   };
 
-  /// Moves v to where the creases around it are least. A corner stays, and a tip: cutting it off
+  /// Puts vertices to better places, colour after colour. Returns those that had one, ascending.
+  std::vector<Index> Sweep(const std::vector<Index>& open)
+  {
+    Flags hasChanged(open.size(), 0);
+    for (const std::vector<Index>& colour : this->SortIntoColours(open))
+    {
+      ParallelFor(static_cast<Index>(colour.size()),
+        [&](Index begin, Index end)
+        {
+          for (Index i = begin; i < end; ++i)
+          {
+            hasChanged[colour[i]] = this->Improve(open[colour[i]]) ? 1 : 0;
+          }
+        });
+    }
+    std::vector<Index> changed;
+    for (Index i : Flagged(hasChanged))
+    {
+      changed.push_back(open[i]);
+    }
+    return changed;
+  }
+
+  /// Sorts places of vertices in `open` so that of one colour none has a part in the creases of
+  /// another: these can be improved at the same time.
+  std::vector<std::vector<Index>> SortIntoColours(const std::vector<Index>& open)
+  {
+    std::vector<std::vector<Index>> colours;
+    Flags taken;
+    for (std::size_t i = 0; i < open.size(); ++i)
+    {
+      taken.assign(colours.size() + 1, 0);
+      this->ForEachInCreases(open[i],
+        [&](Index n)
+        {
+          if (this->ColourOf[n] != NoIndex)
+          {
+            taken[this->ColourOf[n]] = 1;
+          }
+        });
+      const Index colour =
+        static_cast<Index>(std::find(taken.begin(), taken.end(), 0) - taken.begin());
+      colours.resize(std::max<std::size_t>(colours.size(), colour + 1));
+      colours[colour].push_back(static_cast<Index>(i));
+      this->ColourOf[open[i]] = colour;
+    }
+    for (Index v : open)
+    {
+      this->ColourOf[v] = NoIndex; // for the next sweep
+    }
+    return colours;
+  }
+
+  /// Calls visit(vertex) for all others whose places have a part in the creases around one, or the
+  /// other way round: an edge of several patches is walked around to the end.
+  template <typename Visit>
+  void ForEachInCreases(Index v, Visit&& visit) const
+  {
+    for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Index a = this->TheMesh.Triangles[t][k];
+        const Index b = this->TheMesh.Triangles[t][Next(k)];
+        for (Index at = t; at != NoIndex; at = this->Across(at, a, b, t))
+        {
+          for (Index n : this->TheMesh.Triangles[at])
+          {
+            if (n != v)
+            {
+              visit(n);
+            }
+          }
+        }
+      }
+    }
+  }
+
+  /// The next triangle around an edge; NoIndex where `last` is it.
+  Index Across(Index triangle, Index a, Index b, Index last) const
+  {
+    const Triangle& corners = this->TheMesh.Triangles[triangle];
+    const int atA = CornerOf(corners, a);
+    const int edge = corners[Next(atA)] == b ? atA : CornerOf(corners, b);
+    const Index next = this->TheConnectivity.AcrossEdge[triangle][edge];
+    return next != last ? next : NoIndex;
+  }
+
+  /// Moves a vertex to its better place, if it has one.
+  bool Improve(Index v)
+  {
+    std::optional<Place> place = this->BetterPlace(v);
+    if (place)
+    {
+      this->ThePlacement.Put(v, place->Point, std::move(place->Sheets));
+    }
+    return place.has_value();
+  }
+
+  /// Where the creases around a vertex are least. A corner stays, and a tip: cutting it off
   /// would leave fewer of them, too. So does what is held where patches meet or on a free boundary:
   /// there the faces are known, and creases are not all there is.
-  bool Improve(Index v)
+  std::optional<Place> BetterPlace(Index v) const
   {
     if (this->ThePlacement.IsPinned(v) || this->ThePlacement.IsSettled(v) ||
       this->ThePlacement.SheetsOf(v).size() > 2 || this->IsCommon(v) ||
       this->ThePlacement.HasWall(v))
     {
-      return false;
+      return std::nullopt;
     }
-    const Vec3 now = this->ThePlacement.PointOf(v);
-    double best = Improvement * this->Creases(v);
-    const Place* taken = nullptr;
-    this->FindPlaces(v);
-    for (const Place& place : this->Places)
+    double best = Improvement * this->Creases(v, this->ThePlacement.PointOf(v), Unlimited);
+    std::optional<Place> better;
+    for (Place& place : this->PlacesFor(v))
     {
-      this->ThePlacement.SetPoint(v, place.Point);
-      const double creases = this->Creases(v, best);
-      if (creases < best && !this->Folds(v, now))
+      const double creases = this->Creases(v, place.Point, best);
+      if (creases < best && !this->Folds(v, place.Point))
       {
         best = creases;
-        taken = &place;
+        better = std::move(place);
       }
     }
-    this->ThePlacement.SetPoint(v, now);
-    if (taken != nullptr)
-    {
-      this->ThePlacement.Put(v, taken->Point, taken->Sheets);
-    }
-    return taken != nullptr;
+    return better;
   }
 
-  double Creases(Index v, double enough = std::numeric_limits<double>::infinity()) const
+  double Creases(Index v, const Vec3& at, double enough) const
   {
-    return CreasesAround(
-      this->TheMesh.Triangles, this->TheConnectivity, this->ThePlacement.AllPoints(), v, enough);
+    return CreasesAround(this->TheMesh.Triangles, this->TheConnectivity,
+      this->ThePlacement.AllPoints(), v, at, enough);
   }
 
-  /// Whether a triangle at v, which was at `before`, is turned over by the move or left without
-  /// area.
-  bool Folds(Index v, const Vec3& before) const
+  /// Whether a triangle at v would be turned over by a move or left without area.
+  bool Folds(Index v, const Vec3& to) const
   {
     const std::vector<Vec3>& points = this->ThePlacement.AllPoints();
     for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
@@ -116,10 +206,10 @@ private:
       const int k = CornerOf(c, v);
       const Vec3& b = points[c[Next(k)]];
       const Vec3& d = points[c[Next(Next(k))]];
-      const Vec3 was = Corners(before, b, d).AreaVector();
-      const Vec3 is = Corners(points[v], b, d).AreaVector();
+      const Vec3 was = Corners(points[v], b, d).AreaVector();
+      const Vec3 is = Corners(to, b, d).AreaVector();
       const double lengths =
-        (b - points[v]).squaredNorm() + (d - points[v]).squaredNorm() + (d - b).squaredNorm();
+        (b - to).squaredNorm() + (d - to).squaredNorm() + (d - b).squaredNorm();
       if (is.dot(was) <= 0.0 || is.norm() < LeastShape * lengths)
       {
         return true;
@@ -129,28 +219,29 @@ private:
   }
 
   /// Where it was, and on each, each two and each three of the faces near it.
-  void FindPlaces(Index v)
+  std::vector<Place> PlacesFor(Index v) const
   {
-    this->Places.clear();
+    std::vector<Place> places;
     const Vec3& x = this->TheMesh.Points[v];
-    this->Places.push_back({ x, {} });
+    places.push_back({ x, {} });
     if (this->Input[v] != x)
     {
-      this->Places.push_back({ this->Input[v], {} });
+      places.push_back({ this->Input[v], {} });
     }
     const std::vector<const Sheet*> faces = this->DifferentFaces(v);
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-      this->AddMeeting(v, { faces[i] });
+      this->AddMeeting(v, places, { faces[i] });
       for (std::size_t j = i + 1; j < faces.size(); ++j)
       {
-        this->AddMeeting(v, { faces[i], faces[j] });
+        this->AddMeeting(v, places, { faces[i], faces[j] });
         for (std::size_t k = j + 1; k < faces.size(); ++k)
         {
-          this->AddMeeting(v, { faces[i], faces[j], faces[k] });
+          this->AddMeeting(v, places, { faces[i], faces[j], faces[k] });
         }
       }
     }
+    return places;
   }
 
   /// The nearest faces, one of those with like normals.
@@ -176,12 +267,12 @@ private:
     return faces;
   }
 
-  void AddMeeting(Index v, std::vector<const Sheet*> sheets)
+  void AddMeeting(Index v, std::vector<Place>& places, std::vector<const Sheet*> sheets) const
   {
     const Vec3 point = MeetSheets(this->TheMesh.Points[v], sheets);
     if (this->ThePlacement.IsWithinReach(v, point))
     {
-      this->Places.push_back({ point, std::move(sheets) });
+      places.push_back({ point, std::move(sheets) });
     }
   }
 
@@ -257,7 +348,7 @@ private:
   const Labelling& TheLabelling;
   const std::vector<Vec3>& Input;
   Placement& ThePlacement;
-  std::vector<Place> Places;
+  std::vector<Index> ColourOf; // each vertex that has one in this sweep; else NoIndex
 };
 }
 

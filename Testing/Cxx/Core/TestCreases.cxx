@@ -78,3 +78,18 @@ TEST(Creases, GrowWithTheUnitOfLengthAlone)
   // The root makes 1e-8 of the rounding in flat edges, which turn by 1e-16.
   EXPECT_NEAR(CreasesOf(mesh), 1000.0 * before, 1000.0 * 1e-6 * before);
 }
+
+TEST(Creases, AreThoseOfTheMeshWithTheVertexMoved)
+{
+  Mesh mesh = Fold(4, 4, 60.0);
+  const Connectivity connectivity(mesh);
+  const Mesh before = mesh;
+  for (Index v = 0; v < mesh.VertexCount(); ++v)
+  {
+    const Vec3 at = before.Points[v] + Vec3(0.1, -0.2, 0.3);
+    mesh.Points[v] = at;
+    EXPECT_EQ(CreasesAround(before.Triangles, connectivity, before.Points, v, at),
+      CreasesAround(mesh.Triangles, connectivity, mesh.Points, v));
+    mesh.Points[v] = before.Points[v];
+  }
+}
