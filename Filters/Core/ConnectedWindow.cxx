@@ -41,36 +41,7 @@ double SquaredDistanceAcross(
 }
 }
 
-const std::vector<Index>& ConnectedWindow::Gather(Index vertex, double radius)
-{
-  this->NextSquaredDistance = std::numeric_limits<double>::infinity();
-  this->Window.clear();
-  this->Seen.Clear();
-  for (const Index t : this->TheConnectivity.TrianglesOfVertex[vertex])
-  {
-    this->Seen.Insert(t);
-    this->Window.push_back(t);
-  }
-  const std::size_t own = this->Window.size();
-  const Vec3& center = this->TheMesh.Points[vertex];
-  for (std::size_t i = 0; i < own; ++i)
-  {
-    // Across its two other edges are triangles of the vertex.
-    const Index t = this->Window[i];
-    this->Visit(t, Next(CornerOf(this->TheMesh.Triangles[t], vertex)), center, radius * radius);
-  }
-  // `Window` is its own queue: what stands after `i` still has to be looked around.
-  for (std::size_t i = own; i < this->Window.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Visit(this->Window[i], k, center, radius * radius);
-    }
-  }
-  return this->Window;
-}
-
-void ConnectedWindow::Visit(Index from, int edge, const Vec3& center, double radius2)
+inline void ConnectedWindow::Visit(Index from, int edge, const Vec3& center, double radius2)
 {
   const Index neighbor = this->TheConnectivity.AcrossEdge[from][edge];
   if (neighbor == NoIndex || !this->Seen.Insert(neighbor))
@@ -94,6 +65,33 @@ void ConnectedWindow::Visit(Index from, int edge, const Vec3& center, double rad
   {
     this->NextSquaredDistance = distance2;
   }
+}
+
+const std::vector<Index>& ConnectedWindow::Gather(Index vertex, double radius)
+{
+  this->NextSquaredDistance = std::numeric_limits<double>::infinity();
+  this->Window.clear();
+  this->Seen.Clear();
+  for (const Index t : this->TheConnectivity.TrianglesOfVertex[vertex])
+  {
+    this->Seen.Insert(t);
+    this->Window.push_back(t);
+  }
+  const std::size_t own = this->Window.size();
+  const Vec3& center = this->TheMesh.Points[vertex];
+  // `Window` is its own queue: what stands after `i` still has to be looked around.
+  for (std::size_t i = 0; i < this->Window.size(); ++i)
+  {
+    const Index t = this->Window[i];
+    // Across the two other edges of the vertex's own triangles are triangles of the vertex.
+    const int facing = i < own ? Next(CornerOf(this->TheMesh.Triangles[t], vertex)) : 0;
+    const int last = i < own ? facing : 2;
+    for (int k = facing; k <= last; ++k)
+    {
+      this->Visit(t, k, center, radius * radius);
+    }
+  }
+  return this->Window;
 }
 
 double ConnectedWindow::NextDistance() const

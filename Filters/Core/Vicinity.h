@@ -23,6 +23,7 @@ public:
   Vicinity(const Box& bounds, double width)
     : Bounds(bounds)
     , CubeWidth(std::max(width, bounds.Width() / (PerSide - 1)))
+    , CubesPerLength(1.0 / CubeWidth)
     , Near(std::size_t(PerSide) * PerSide * PerSide, 0)
   {
   }
@@ -61,7 +62,7 @@ private:
     Cube cube;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double place = (point[axis] - this->Bounds.Low[axis]) / this->CubeWidth;
+      const double place = (point[axis] - this->Bounds.Low[axis]) * this->CubesPerLength;
       cube[axis] = place > 0.0 ? static_cast<int>(std::min(place, PerSide - 1.0)) : 0;
     }
     return cube;
@@ -74,6 +75,7 @@ private:
 
   Box Bounds;
   double CubeWidth = 0.0;
+  double CubesPerLength = 0.0;
   Flags Near;
 };
 }

@@ -16,8 +16,10 @@ namespace arris
 {
 namespace
 {
-/// As far as a turn looks, in edges.
+/// As far as a turn looks, in edges, and as far as its window: where that is flat nothing else is
+/// looked at.
 constexpr int TurnReach = 6;
+constexpr int WindowReach = 3;
 
 /// A window that the user has set is the same everywhere; all else about a turn goes with it.
 std::vector<double> TurnScales(const std::vector<double>& localScales, double windowRadius)
@@ -85,7 +87,8 @@ bool DamageFinder::MeasureTurns(
       TurnMeter meter(mesh, this->TheConnectivity, faces, this->Scales);
       for (Index v = begin; v < end; ++v)
       {
-        if (away[v] >= 0)
+        const int most = this->Turns[v].Deviation < FlatDeviation ? WindowReach : TurnReach;
+        if (away[v] >= 0 && away[v] <= most)
         {
           this->Turns[v] = meter.Measure(v);
         }

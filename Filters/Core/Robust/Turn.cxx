@@ -36,9 +36,6 @@ constexpr double SlopeRidge = 0.02;
 /// square) no jump in that direction reaches that of an edge.
 constexpr double LeastSpread = 7e-4;
 
-/// A window with less deviation holds no edge, in degrees.
-constexpr double FlatDeviation = 6.0;
-
 double Degrees(double radians)
 {
   return radians * 180.0 / Pi;

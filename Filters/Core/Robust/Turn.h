@@ -26,6 +26,9 @@ struct Turn
   double WideJump = 0.0; ///< J again from sides that start and end half an edge farther out
 };
 
+/// A window with less deviation holds no edge, in degrees: nothing but it is looked at.
+constexpr double FlatDeviation = 6.0;
+
 /// Whether the window is flat, so that the turn was not looked into.
 inline bool IsFlat(const Turn& turn)
 {
