@@ -4,6 +4,7 @@
 #include "Region.h"
 
 #include "Core/Flagged.h"
+#include "Core/Parallel.h"
 #include "Mixed.h"
 #include "Spread.h"
 
@@ -40,12 +41,16 @@ public:
 
   SharpRegion Find()
   {
-    for (Index v = 0; v < this->TheMesh.VertexCount(); ++v)
-    {
-      const Turn& turn = this->Turns[v];
-      this->Seeds[v] =
-        ShowsEdge(turn, this->Angles) || turn.Deviation >= this->Angles.Corner ? 1 : 0;
-    }
+    ParallelFor(this->TheMesh.VertexCount(),
+      [this](Index begin, Index end)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          const Turn& turn = this->Turns[v];
+          this->Seeds[v] =
+            ShowsEdge(turn, this->Angles) || turn.Deviation >= this->Angles.Corner ? 1 : 0;
+        }
+      });
     this->DropSmallGroups();
     this->FindBlendDegrees();
     const double rounding = this->Rounding();

@@ -3,7 +3,9 @@
 
 #include "Retreat.h"
 
+#include "Core/Flagged.h"
 #include "Core/Intersections.h"
+#include "Core/Parallel.h"
 #include "Core/SortUnique.h"
 #include "Core/TriangleCrossing.h"
 #include "Overturned.h"
@@ -30,13 +32,16 @@ public:
     , ThePlacement(placement)
     , StepsBack(connectivity.PatchOf.empty() ? 0 : mesh.Points.size(), 0)
   {
-    for (Index t = 0; t < mesh.TriangleCount(); ++t)
-    {
-      if (placement.LabelOf(t) != NoIndex || this->Moved(mesh.Triangles[t]))
+    Flags isLabelled(mesh.Triangles.size());
+    ParallelFor(mesh.TriangleCount(),
+      [&](Index begin, Index end)
       {
-        this->Labelled.push_back(t);
-      }
-    }
+        for (Index t = begin; t < end; ++t)
+        {
+          isLabelled[t] = placement.LabelOf(t) != NoIndex || this->Moved(mesh.Triangles[t]) ? 1 : 0;
+        }
+      });
+    this->Labelled = Flagged(isLabelled);
   }
 
   void Run()
