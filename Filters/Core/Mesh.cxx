@@ -4,6 +4,7 @@
 #include "Mesh.h"
 
 #include "Parallel.h"
+#include "SortUnique.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -237,6 +238,19 @@ bool HasBoundary(const Connectivity& connectivity)
 {
   const Flags& flags = connectivity.OnBoundary;
   return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
+
+std::vector<Index> TrianglesAround(
+  const Connectivity& connectivity, const std::vector<Index>& vertices)
+{
+  std::vector<Index> triangles;
+  for (Index v : vertices)
+  {
+    const IndexSpan around = connectivity.TrianglesOfVertex[v];
+    triangles.insert(triangles.end(), around.begin(), around.end());
+  }
+  SortUnique(triangles);
+  return triangles;
 }
 
 Flags OpenVertices(const Mesh& mesh, const Connectivity& connectivity)

@@ -88,6 +88,10 @@ struct ARRISFILTERS_EXPORT Connectivity
 /// Whether any edge has other than two triangles.
 bool HasBoundary(const Connectivity& connectivity);
 
+/// The triangles that have any of these vertices, ascending.
+std::vector<Index> TrianglesAround(
+  const Connectivity& connectivity, const std::vector<Index>& vertices);
+
 /// Whether two triangles are of one patch, as all are that are in no assembly.
 inline bool AreOnePatch(const Connectivity& connectivity, Index a, Index b)
 {

@@ -12,9 +12,10 @@
 
 namespace arris
 {
-void GiveBackTheMoreCreased(const Mesh& mesh, const Connectivity& connectivity, const Flags& region,
-  const std::vector<Vec3>& input, Placement& placement)
+std::vector<Index> GiveBackTheMoreCreased(const Mesh& mesh, const Connectivity& connectivity,
+  const Flags& region, const std::vector<Vec3>& input, Placement& placement)
 {
+  std::vector<Index> givenBack;
   ForEachGroup(connectivity, region, 1,
     [&](const std::vector<Index>& part)
     {
@@ -46,6 +47,8 @@ void GiveBackTheMoreCreased(const Mesh& mesh, const Connectivity& connectivity, 
       {
         placement.Put(v, input[v], {});
       }
+      givenBack.insert(givenBack.end(), part.begin(), part.end());
     });
+  return givenBack;
 }
 }

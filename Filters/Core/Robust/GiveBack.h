@@ -18,9 +18,10 @@ namespace arris
 /// fewer (on contours of solids a half of them, on blurred ones and segmentations up to nine
 /// tenths); a part of a mesh that no sampling has made, such as a scan's fine folds or the
 /// tessellation of a thread, gets more where it is taken for damage. Parts with a tip
-/// stay as they are.
-ARRISFILTERS_EXPORT void GiveBackTheMoreCreased(const Mesh& mesh, const Connectivity& connectivity,
-  const Flags& region, const std::vector<Vec3>& input, Placement& placement);
+/// stay as they are. Returns the vertices of what was given back.
+ARRISFILTERS_EXPORT std::vector<Index> GiveBackTheMoreCreased(const Mesh& mesh,
+  const Connectivity& connectivity, const Flags& region, const std::vector<Vec3>& input,
+  Placement& placement);
 }
 
 #endif

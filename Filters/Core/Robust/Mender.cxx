@@ -69,19 +69,6 @@ std::vector<Index> DamagedOf(
   return vertices;
 }
 
-std::vector<Index> TrianglesAround(
-  const Connectivity& connectivity, const std::vector<Index>& vertices)
-{
-  std::vector<Index> triangles;
-  for (Index v : vertices)
-  {
-    const IndexSpan around = connectivity.TrianglesOfVertex[v];
-    triangles.insert(triangles.end(), around.begin(), around.end());
-  }
-  SortUnique(triangles);
-  return triangles;
-}
-
 void Mender::Slide(Index v)
 {
   Vec3 along = Vec3::Zero();

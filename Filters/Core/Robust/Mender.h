@@ -28,10 +28,6 @@ std::vector<Index> PocketOf(const Mesh& mesh, const Connectivity& connectivity,
 std::vector<Index> DamagedOf(
   const Mesh& mesh, const Placement& placement, const std::vector<Index>& triangles);
 
-/// The triangles around vertices, ascending.
-std::vector<Index> TrianglesAround(
-  const Connectivity& connectivity, const std::vector<Index>& vertices);
-
 /// Mends triangles. Keeps its working memory: use one object a thread.
 class Mender
 {

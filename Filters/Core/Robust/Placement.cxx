@@ -132,7 +132,7 @@ void Placement::SetWalls(const std::vector<Wall>& walls)
     }
     else if (!walls[v].Normal.isZero(0.0))
     {
-      this->Walls[damaged] = std::make_unique<Sheet>(x, walls[v].Normal);
+      this->Walls[damaged] = std::make_shared<const Sheet>(x, walls[v].Normal);
     }
   }
 }
@@ -161,6 +161,19 @@ void Placement::Pin(Index vertex, const Vec3& point)
   this->Pinned[damaged] = 1;
   this->Sheets[damaged].clear();
   this->Points[vertex] = point;
+}
+
+void Placement::TakeVertex(Index vertex, const Placement& other)
+{
+  this->Points[vertex] = other.Points[vertex];
+  const Index damaged = this->TheLabelling.SidesOf[vertex];
+  if (damaged != NoIndex)
+  {
+    this->Sheets[damaged] = other.Sheets[damaged];
+    this->TooFar[damaged] = other.TooFar[damaged];
+    this->GivenBack[damaged] = other.GivenBack[damaged];
+    this->OnCurve[damaged] = other.OnCurve[damaged];
+  }
 }
 
 void Placement::Place(Index vertex)

@@ -119,6 +119,10 @@ public:
     this->Sheets[damaged] = std::move(sheets);
   }
 
+  /// Takes a vertex over from another placement of the same labelled mesh, but not the labels
+  /// around.
+  void TakeVertex(Index vertex, const Placement& other);
+
   /// Puts a damaged vertex where it stays, whatever is placed afterwards: at a tip.
   void Pin(Index vertex, const Vec3& point);
 
@@ -156,7 +160,7 @@ private:
   Flags TooFar; // the same
   Flags GivenBack; // the same
   Flags OnCurve; // the same
-  std::vector<std::unique_ptr<Sheet>> Walls; // the same; null where there is none
+  std::vector<std::shared_ptr<const Sheet>> Walls; // the same; null where there is none
   Flags InsideJunctions; // of all vertices; empty if there are none
   Flags SettledVertices; // the same
 };

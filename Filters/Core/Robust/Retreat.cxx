@@ -26,22 +26,28 @@ constexpr int MostSteps = 6;
 class Guard
 {
 public:
-  Guard(const Mesh& mesh, const Connectivity& connectivity, Placement& placement)
+  /// Of these triangles.
+  Guard(const Mesh& mesh, const Connectivity& connectivity, const std::vector<Index>& triangles,
+    Placement& placement)
     : TheMesh(mesh)
     , TheConnectivity(connectivity)
     , ThePlacement(placement)
     , StepsBack(connectivity.PatchOf.empty() ? 0 : mesh.Points.size(), 0)
   {
-    Flags isLabelled(mesh.Triangles.size());
-    ParallelFor(mesh.TriangleCount(),
+    Flags isLabelled(triangles.size());
+    ParallelFor(static_cast<Index>(triangles.size()),
       [&](Index begin, Index end)
       {
-        for (Index t = begin; t < end; ++t)
+        for (Index i = begin; i < end; ++i)
         {
-          isLabelled[t] = placement.LabelOf(t) != NoIndex || this->Moved(mesh.Triangles[t]) ? 1 : 0;
+          const Index t = triangles[i];
+          isLabelled[i] = placement.LabelOf(t) != NoIndex || this->Moved(mesh.Triangles[t]) ? 1 : 0;
         }
       });
-    this->Labelled = Flagged(isLabelled);
+    for (Index i : Flagged(isLabelled))
+    {
+      this->Labelled.push_back(triangles[i]);
+    }
   }
 
   void Run()
@@ -60,7 +66,7 @@ public:
     std::copy_if(this->Labelled.begin(), this->Labelled.end(), std::back_inserter(overturned),
       [this](Index t) { return this->Overturned(t); });
     this->UndoFolds(std::move(overturned), &changed);
-    this->UndoCuts(this->TrianglesAround(changed));
+    this->UndoCuts(TrianglesAround(this->TheConnectivity, changed));
   }
 
 private:
@@ -79,8 +85,9 @@ private:
       {
         return;
       }
-      this->UndoFolds(this->TrianglesAround(changed), &changed);
-      suspects = this->TrianglesAround(changed); // only these can cut what they did not before
+      this->UndoFolds(TrianglesAround(this->TheConnectivity, changed), &changed);
+      suspects = TrianglesAround(
+        this->TheConnectivity, changed); // only these can cut what they did not before
     }
   }
 
@@ -91,20 +98,6 @@ private:
   bool Moved(const Triangle& corners) const
   {
     return this->Moved(corners[0]) || this->Moved(corners[1]) || this->Moved(corners[2]);
-  }
-
-  std::vector<Index> TrianglesAround(const std::vector<Index>& vertices) const
-  {
-    std::vector<Index> triangles;
-    for (Index v : vertices)
-    {
-      for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
-      {
-        triangles.push_back(t);
-      }
-    }
-    SortUnique(triangles);
-    return triangles;
   }
 
   bool Folded(Index t) const
@@ -146,7 +139,7 @@ private:
           this->GiveBack(t, changed);
         }
       }
-      suspects = this->TrianglesAround(changed);
+      suspects = TrianglesAround(this->TheConnectivity, changed);
       if (allChanged != nullptr)
       {
         allChanged->insert(allChanged->end(), changed.begin(), changed.end());
@@ -269,13 +262,15 @@ private:
 };
 }
 
-void Retreat(const Mesh& mesh, const Connectivity& connectivity, Placement& placement)
+void Retreat(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<Index>& triangles, Placement& placement)
 {
-  Guard(mesh, connectivity, placement).Run();
+  Guard(mesh, connectivity, triangles, placement).Run();
 }
 
-void TurnBack(const Mesh& input, const Connectivity& connectivity, Placement& placement)
+void TurnBack(const Mesh& input, const Connectivity& connectivity,
+  const std::vector<Index>& triangles, Placement& placement)
 {
-  Guard(input, connectivity, placement).TurnBack();
+  Guard(input, connectivity, triangles, placement).TurnBack();
 }
 }

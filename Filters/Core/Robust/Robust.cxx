@@ -10,18 +10,15 @@
 #include "Core/StopWatch.h"
 #include "DamageFinder.h"
 #include "Denoised.h"
-#include "Ears.h"
 #include "EdgeFlips.h"
 #include "FineBends.h"
-#include "GiveBack.h"
 #include "Junctions.h"
+#include "Labelled.h"
+#include "Mending.h"
 #include "OwnMesh.h"
 #include "Placement.h"
-#include "Retreat.h"
 #include "Ridge.h"
 #include "Settled.h"
-#include "Straighten.h"
-#include "Untangle.h"
 
 #include <algorithm>
 #include <optional>
@@ -181,8 +178,8 @@ private:
     }
     else
     {
-      this->Sharpen(
-        { this->Input, this->Work, this->TheConnectivity, labelling, this->Scales, this->Region },
+      this->Sharpen({ this->Input, this->Work, this->IsRough() ? this->Input : this->Work,
+                      this->TheConnectivity, labelling, this->Scales, this->Region },
         apexes, std::move(ridge));
     }
     this->Result.SharpeningSeconds += sharpening.Seconds();
@@ -290,18 +287,7 @@ private:
     }
   }
 
-  /// A mesh with all that is known about its damaged vertices.
-  struct Labelled
-  {
-    const Mesh& Before;
-    const Mesh& Now;
-    const Connectivity& TheConnectivity;
-    const Labelling& Labels;
-    const std::vector<double>& Scales;
-    const Flags& Region;
-  };
-
-  /// The same for an assembly, whose parts are known.
+  /// For an assembly, whose parts are known.
   void SharpenTogether(const Labelling& ofParts, const std::vector<Apex>& apexes, Ridge ridge)
   {
     const std::size_t count = this->WholeCount();
@@ -314,8 +300,9 @@ private:
       region[this->WholeOf(v)] |= this->Region[v];
     }
     const Labelling joined = JoinParts(this->Together->Apart, count, ofParts);
-    this->Sharpen(
-      { this->Together->TheMesh, now, this->Together->TheConnectivity, joined, scales, region },
+    const Mesh& before = this->Together->TheMesh;
+    this->Sharpen({ before, now, this->IsRough() ? before : now, this->Together->TheConnectivity,
+                    joined, scales, region },
       apexes, std::move(ridge));
   }
 
@@ -341,23 +328,7 @@ private:
         placement.Pin(v, v == apex.Vertex ? apex.Tip : mesh.Now.Points[v]);
       }
     }
-    this->FlipEdges(placement);
-    Untangle(mesh.Now, mesh.TheConnectivity, mesh.Scales, placement);
-    this->FlipEdges(placement);
-    Straighten(mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Before.Points, placement);
-    if (this->IsRough() && !this->Parameters.Denoise)
-    {
-      PutIntactBack(mesh.Before, placement);
-    }
-    GiveBackTheMoreCreased(
-      mesh.Now, mesh.TheConnectivity, mesh.Region, mesh.Before.Points, placement);
-    LiftEars(mesh.Now, mesh.TheConnectivity, mesh.Scales, placement);
-    const std::vector<Vec3> wanted = placement.AllPoints();
-    Retreat(this->IsRough() ? mesh.Before : mesh.Now, mesh.TheConnectivity, placement);
-    if (this->IsLastPass())
-    {
-      TurnBack(mesh.Before, mesh.TheConnectivity, placement);
-    }
+    const std::vector<Vec3> wanted = Mend(mesh, damaged, this->HowToMend(), placement);
     for (std::size_t v = 0; v < mesh.Region.size(); ++v)
     {
       this->Result.Region[v] |= mesh.Region[v];
@@ -371,25 +342,21 @@ private:
     this->TakePoints(placement.AllPoints());
   }
 
-  void FlipEdges(Placement& placement)
+  Mending HowToMend()
   {
+    Mending mending{ this->IsRough(), this->Parameters.Denoise, this->IsLastPass(), {} };
     if (this->MayFlip)
     {
-      this->Result.EdgeFlips +=
-        arris::FlipEdges(this->Work, this->MayFlip->TheConnectivity, placement);
-      this->MayFlip->TheMesh.Triangles = this->Work.Triangles;
+      mending.FlipEdges = [this](Placement& placement) { this->FlipEdges(placement); };
     }
+    return mending;
   }
 
-  static void PutIntactBack(const Mesh& before, Placement& placement)
+  void FlipEdges(Placement& placement)
   {
-    for (Index v = 0; v < before.VertexCount(); ++v)
-    {
-      if (!placement.IsDamaged(v))
-      {
-        placement.SetPoint(v, before.Points[v]);
-      }
-    }
+    this->Result.EdgeFlips +=
+      arris::FlipEdges(this->Work, this->MayFlip->TheConnectivity, placement);
+    this->MayFlip->TheMesh.Triangles = this->Work.Triangles;
   }
 
   void TakePoints(const std::vector<Vec3>& ofWhole)

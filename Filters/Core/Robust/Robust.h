@@ -19,8 +19,9 @@
 ///  6. LocalSolid, Labels: which face a vertex lies on, as faces cut and join each other.
 ///  7. Ridge: the fewest vertices that separate the faces; these are the skeleton.
 ///  8. Placement, MeetSheets: each vertex put on the faces around it.
-///  9. Untangle, Straighten, Retreat: folded triangles mended, notches straightened, what cannot be
-///     mended given back.
+///  9. Mending: Untangle, Straighten, Retreat: folded triangles mended, notches straightened, what
+///     cannot be mended taken back. OtherOrders: the best of several tries. GiveBack: not what was
+///     better before.
 ///
 /// Then once more from the first step on what came out; Settled: but only around what that shows.
 

@@ -353,16 +353,8 @@ private:
 }
 
 void Straighten(const Mesh& mesh, const Connectivity& connectivity, const Labelling& labelling,
-  const std::vector<Vec3>& input, Placement& placement)
+  const std::vector<Vec3>& input, const std::vector<Index>& damaged, Placement& placement)
 {
-  std::vector<Index> damaged;
-  for (Index v = 0; v < mesh.VertexCount(); ++v)
-  {
-    if (placement.IsDamaged(v))
-    {
-      damaged.push_back(v);
-    }
-  }
   Straightener(mesh, connectivity, labelling, input, placement).Run(damaged);
 }
 }

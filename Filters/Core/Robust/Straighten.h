@@ -12,9 +12,10 @@
 
 namespace arris
 {
-/// `input` are the positions that the vertices came with.
+/// Of these damaged vertices, and those that change with them. `input` are the positions that the
+/// vertices came with.
 void Straighten(const Mesh& mesh, const Connectivity& connectivity, const Labelling& labelling,
-  const std::vector<Vec3>& input, Placement& placement);
+  const std::vector<Vec3>& input, const std::vector<Index>& damaged, Placement& placement);
 }
 
 #endif

@@ -10,7 +10,9 @@
 #include "Overturned.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <utility>
 
 namespace arris
 {
@@ -27,31 +29,26 @@ class Untangler
 {
 public:
   Untangler(const Mesh& mesh, const Connectivity& connectivity, const std::vector<double>& scales,
-    Placement& placement)
+    int order, Placement& placement)
     : TheMesh(mesh)
     , TheConnectivity(connectivity)
     , Scales(scales)
+    , Order(order)
     , ThePlacement(placement)
     , Tries(mesh.Triangles.size(), 0)
     , TheClusters(connectivity)
   {
   }
 
-  void Run()
+  std::vector<Index> Run(std::vector<Index> suspects)
   {
-    std::vector<Index> suspects;
-    for (Index t = 0; t < this->TheMesh.TriangleCount(); ++t)
-    {
-      if (this->ThePlacement.LabelOf(t) != NoIndex)
-      {
-        suspects.push_back(t);
-      }
-    }
     for (int round = 0; !suspects.empty(); ++round)
     {
       // What single vertices could not mend in a few rounds may want room made by the ones around.
       suspects = this->MendAll(this->TryAgain(this->BadAmong(suspects)), round >= RoundsAlone);
     }
+    SortUnique(this->Moved);
+    return std::move(this->Moved);
   }
 
 private:
@@ -102,7 +99,7 @@ private:
       this->TheClusters.Add(this->ThatMayMoveFor(t));
     }
     const Rows clusters = this->TheClusters.Find();
-    std::vector<std::vector<Index>> next(clusters.size());
+    std::vector<std::vector<Index>> next(clusters.size()), moved(clusters.size());
     ParallelFor(clusters.size(),
       [&](Index begin, Index end)
       {
@@ -111,12 +108,17 @@ private:
         {
           this->Mend(bad, clusters[c], stuck, mender);
           next[c] = this->NextOf(mender, stuck);
+          moved[c] = mender.Moved;
         }
       });
     std::vector<Index> suspects;
     for (const std::vector<Index>& of : next)
     {
       suspects.insert(suspects.end(), of.begin(), of.end());
+    }
+    for (const std::vector<Index>& of : moved)
+    {
+      this->Moved.insert(this->Moved.end(), of.begin(), of.end());
     }
     SortUnique(suspects);
     return suspects;
@@ -155,7 +157,7 @@ private:
       vertices = DamagedOf(
         this->TheMesh, this->ThePlacement, TrianglesAround(this->TheConnectivity, vertices));
     }
-    for (Index v : vertices)
+    for (Index v : this->InOrder(vertices))
     {
       mender.Slide(v);
     }
@@ -167,10 +169,39 @@ private:
     };
     own.erase(std::remove_if(own.begin(), own.end(), [this](Index t) { return !this->IsBad(t); }),
       own.end());
-    for (Index t : own)
+    for (Index t : this->InOrder(own))
     {
       mender.Relabel(t, isOwn);
     }
+  }
+
+  /// Shuffles what comes first and what comes later. By places, not numbers: so what is in no
+  /// triangle has no part in it.
+  std::vector<Index> InOrder(const std::vector<Index>& items) const
+  {
+    if (this->Order == 0)
+    {
+      return items;
+    }
+    // Multiples of the golden ratio are spread evenly, those of its multiples in another order.
+    constexpr std::uint32_t Golden = 2654435769U;
+    const auto keyOf = [&](std::size_t place)
+    {
+      const auto spread = static_cast<std::uint32_t>((2 * this->Order + 1) * (place + 1)) * Golden;
+      return spread ^ spread >> 15;
+    };
+    std::vector<std::pair<std::uint32_t, std::size_t>> places;
+    for (std::size_t place = 0; place < items.size(); ++place)
+    {
+      places.emplace_back(keyOf(place), place);
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<Index> shuffled;
+    for (const auto& place : places)
+    {
+      shuffled.push_back(items[place.second]);
+    }
+    return shuffled;
   }
 
   /// What had no better place, and none has moved near it, will have none when all make way,
@@ -189,15 +220,17 @@ private:
   const Mesh& TheMesh;
   const Connectivity& TheConnectivity;
   const std::vector<double>& Scales;
+  const int Order;
   Placement& ThePlacement;
   std::vector<int> Tries; // of each triangle
   Clusters TheClusters;
+  std::vector<Index> Moved; // at some time
 };
 }
 
-void Untangle(const Mesh& mesh, const Connectivity& connectivity, const std::vector<double>& scales,
-  Placement& placement)
+std::vector<Index> Untangle(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<double>& scales, std::vector<Index> triangles, int order, Placement& placement)
 {
-  Untangler(mesh, connectivity, scales, placement).Run();
+  return Untangler(mesh, connectivity, scales, order, placement).Run(std::move(triangles));
 }
 }
