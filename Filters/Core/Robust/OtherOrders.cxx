@@ -19,7 +19,7 @@ namespace
 constexpr int Orders = 4;
 
 /// How many edges around what was moved are mended again: as far as relabelling reaches.
-constexpr int SpotRings = 3;
+constexpr int SpotRings = 2;
 
 class Attempts
 {
