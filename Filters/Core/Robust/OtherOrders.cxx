@@ -121,8 +121,7 @@ private:
     taken.insert(taken.end(), better.begin(), better.end());
   }
 
-  /// The more corners the better, as one that is cut off leaves fewer creases; then the fewer
-  /// creases.
+  /// Fewer creases, but not because a corner is cut off.
   bool IsBetter(
     const Placement& attempt, const std::vector<Vec3>& wanted, const std::vector<Index>& spot) const
   {
@@ -134,7 +133,7 @@ private:
         (IsCorner(this->Best, this->BestWanted, v) ? 1 : 0);
       creases += this->CreasesAt(attempt, v) - this->CreasesAt(this->Best, v);
     }
-    return corners != 0 ? corners > 0 : creases < 0.0;
+    return corners >= 0 && creases < 0.0;
   }
 
   static bool IsCorner(const Placement& placement, const std::vector<Vec3>& wanted, Index v)
