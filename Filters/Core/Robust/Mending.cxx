@@ -70,7 +70,8 @@ std::vector<Vec3> Mend(const Labelled& mesh, const std::vector<Index>& damaged,
     mesh.Safe, mesh.TheConnectivity, TrianglesAround(mesh.TheConnectivity, givenBack), placement);
   if (mending.IsLast)
   {
-    TurnBack(mesh.Before, mesh.TheConnectivity, moving, placement);
+    // All, as an earlier pass may have moved what this one has no part in.
+    TurnBack(mesh.Before, mesh.TheConnectivity, AllTriangles(mesh.Now), placement);
   }
   return wanted;
 }

@@ -11,6 +11,8 @@
 #include "Labelled.h"
 #include "Placement.h"
 
+#include "ArrisFiltersModule.h" // for the export macro
+
 #include <functional>
 
 namespace arris
@@ -25,7 +27,7 @@ struct Mending
 
 /// Mends the triangles of the damaged vertices. Returns where vertices would be if nothing had
 /// folded or cut.
-std::vector<Vec3> Mend(const Labelled& mesh, const std::vector<Index>& damaged,
+ARRISFILTERS_EXPORT std::vector<Vec3> Mend(const Labelled& mesh, const std::vector<Index>& damaged,
   const Mending& mending, Placement& placement);
 }
 
