@@ -5,6 +5,7 @@
 
 #include "Core/Flagged.h"
 #include "Creases.h"
+#include "Overturned.h"
 #include "Retreat.h"
 #include "Straighten.h"
 #include "Untangle.h"
@@ -121,7 +122,8 @@ private:
     taken.insert(taken.end(), better.begin(), better.end());
   }
 
-  /// Fewer creases, but not because a corner is cut off.
+  /// Fewer creases, but not because a corner is cut off, or triangles are turned over, which would
+  /// go back in the end.
   bool IsBetter(
     const Placement& attempt, const std::vector<Vec3>& wanted, const std::vector<Index>& spot) const
   {
@@ -133,7 +135,17 @@ private:
         (IsCorner(this->Best, this->BestWanted, v) ? 1 : 0);
       creases += this->CreasesAt(attempt, v) - this->CreasesAt(this->Best, v);
     }
-    return corners >= 0 && creases < 0.0;
+    return corners >= 0 && creases < 0.0 &&
+      this->OverturnedAround(attempt, spot) <= this->OverturnedAround(this->Best, spot);
+  }
+
+  int OverturnedAround(const Placement& placement, const std::vector<Index>& spot) const
+  {
+    const Labelled& mesh = this->TheMesh;
+    const std::vector<Index> around = TrianglesAround(mesh.TheConnectivity, spot);
+    return static_cast<int>(std::count_if(around.begin(), around.end(),
+      [&](Index t)
+      { return IsOverturned(mesh.Before, mesh.TheConnectivity, placement.AllPoints(), t); }));
   }
 
   static bool IsCorner(const Placement& placement, const std::vector<Vec3>& wanted, Index v)

@@ -16,7 +16,7 @@ namespace arris
 {
 /// Which triangle is mended first decides what room there is for those beside it, and which faces
 /// they end up on; nothing tells beforehand which order is right. Afterwards the creases do (see
-/// Creases.h): spot by spot, as far as outcomes differ.
+/// Creases.h), where no more triangles are turned over: spot by spot, as far as outcomes differ.
 ///
 /// `placed` is the placement before anything was mended, `tangled` what mending has moved since,
 /// and `placement` what came of it once nothing was folded or cut; `wanted` is where vertices were

@@ -73,6 +73,24 @@ TEST_F(DamagedPlane, StaysWhereNoOrderLeavesFewerCreases)
   EXPECT_EQ(placement.AllPoints(), this->Plane.Points);
 }
 
+TEST_F(DamagedPlane, StaysWhereAnotherOrderLeavesMoreTrianglesTurnedOver)
+{
+  Mesh mirrored = this->Plane; // against which all of the plane is turned over
+  for (Vec3& point : mirrored.Points)
+  {
+    point.x() = -point.x();
+  }
+  const Labelled all{ mirrored, this->Plane, this->Plane, this->Around, this->Labels, this->Scales,
+    this->Region };
+  const Placement placed = this->Placed();
+  Placement placement = placed;
+  const Vec3 overhanging = this->Spike + 1.5 * Vec3::UnitX();
+  placement.SetPoint(Middle, overhanging);
+  std::vector<Vec3> wanted = placement.AllPoints();
+  TryOtherOrders(all, placed, { Middle }, placement, wanted);
+  EXPECT_EQ(placement.PointOf(Middle), overhanging);
+}
+
 TEST_F(DamagedPlane, IsNotMendedAgainWhereNothingWasTangled)
 {
   const Placement placed = this->Placed();
