@@ -142,7 +142,7 @@ arris::AssemblyParameters vtkAssemblyAlgorithm::AssemblyParametersFor(vtkPolyDat
 std::string vtkAssemblyAlgorithm::ReadAssembly(
   vtkPolyData* input, vtkPolyData* output, arris::Surface& surface)
 {
-  const std::string problem =
+  std::string problem =
     arris::FirstProblem({ arris::ProblemWithSize("MergeTolerance", this->MergeTolerance) },
       [&]
       {

@@ -10,12 +10,15 @@
 
 #include "Placement.h"
 
+#include "ArrisFiltersModule.h" // for the export macro
+
 namespace arris
 {
 /// Of these damaged vertices, and those that change with them. `input` are the positions that the
 /// vertices came with.
-void Straighten(const Mesh& mesh, const Connectivity& connectivity, const Labelling& labelling,
-  const std::vector<Vec3>& input, const std::vector<Index>& damaged, Placement& placement);
+ARRISFILTERS_EXPORT void Straighten(const Mesh& mesh, const Connectivity& connectivity,
+  const Labelling& labelling, const std::vector<Vec3>& input, const std::vector<Index>& damaged,
+  Placement& placement);
 }
 
 #endif

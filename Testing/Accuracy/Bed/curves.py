@@ -102,7 +102,7 @@ def _measured(task):
         edges, curves, _ = find(mesh)
         figures = curve_figures(truth, edges.reshape(-1, 3), np.arange(2 * len(edges))
                                 .reshape(-1, 2), cell, NEAR)
-        length = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).sum()
+        length = figures["judged_length"]
         rows.append({"solid": solid, "finder": name, "found": curves, "true": true_curves,
                      "length": 100 * length / true_length if true_length else np.nan,
                      "curves": curves / true_curves if true_curves else np.nan, **figures})

@@ -66,11 +66,13 @@ def over_area(mesh, count):
 
 def edge_figures(truth, mesh, cell, near):
     """Recall and precision of sharp edge length, and the length of false edges in cells."""
-    return curve_figures(truth, mesh.points, sharp_edges(mesh), cell, near)
+    figures = curve_figures(truth, mesh.points, sharp_edges(mesh), cell, near)
+    return {name: figures[name] for name in ("recall", "precision", "false_length")}
 
 
 def curve_figures(truth, points, found, cell, near):
-    """The same for edges that were found in any way: pairs of point ids."""
+    """The same for edges that were found in any way: pairs of point ids. And the length of those
+    that are judged, which leaves out what is neither right nor held against them."""
     where, length = along(truth.mesh.points, truth.segments, CURVE_STEP * cell)
     hit = Locator(points, found).closest(where)[0] <= near * cell
     recall = _share(length[hit].sum(), length.sum())
@@ -81,7 +83,8 @@ def curve_figures(truth, points, found, cell, near):
     wrong[wrong] = ~_beside_tight_bend(truth, where[wrong], cell)
     right, wrong = length[right].sum(), length[wrong].sum()
     precision = _share(right, right + wrong) if len(truth.segments) else np.nan
-    return {"recall": recall, "precision": precision, "false_length": wrong / cell}
+    return {"recall": recall, "precision": precision, "false_length": wrong / cell,
+            "judged_length": right + wrong}
 
 
 def _beside_tight_bend(truth, points, cell):
