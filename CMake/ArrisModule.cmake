@@ -79,10 +79,10 @@ set(sources
   Filters/Core/Robust/MeetingEdges.cxx
   Filters/Core/Robust/MeetSheets.cxx
   Filters/Core/Robust/Mender.cxx
-  Filters/Core/Robust/Neighbourhoods.cxx
-  Filters/Core/Robust/Overturned.cxx
   Filters/Core/Robust/Mending.cxx
+  Filters/Core/Robust/Neighbourhoods.cxx
   Filters/Core/Robust/OtherOrders.cxx
+  Filters/Core/Robust/Overturned.cxx
   Filters/Core/Robust/OwnFrame.cxx
   Filters/Core/Robust/OwnMesh.cxx
   Filters/Core/Robust/OwnOrder.cxx

@@ -8,15 +8,40 @@
 #define arris_Flagged_h
 
 #include "Mesh.h"
+#include "Parallel.h"
+
+#include "ArrisFiltersModule.h" // for the export macro
 
 namespace arris
 {
 /// The indices whose flag is set, ascending.
-std::vector<Index> Flagged(const Flags& flags);
+ARRISFILTERS_EXPORT std::vector<Index> Flagged(const Flags& flags);
+
+/// Those of the items for which test(item) holds, in their order. Asks in parallel.
+template <typename Test>
+std::vector<Index> Those(const std::vector<Index>& items, Test&& test)
+{
+  Flags holds(items.size());
+  ParallelFor(static_cast<Index>(items.size()),
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        holds[i] = test(items[i]) ? 1 : 0;
+      }
+    });
+  std::vector<Index> those;
+  for (Index i : Flagged(holds))
+  {
+    those.push_back(items[i]);
+  }
+  return those;
+}
 
 /// For each vertex how many edges it is away from the nearest one with the flag: 0 for these, -1
 /// where that is more than `most`.
-std::vector<int> EdgesAwayFrom(const Connectivity& connectivity, const Flags& flags, int most);
+ARRISFILTERS_EXPORT std::vector<int> EdgesAwayFrom(
+  const Connectivity& connectivity, const Flags& flags, int most);
 
 /// Calls visit(group) for each connected group of vertices whose flag is `wanted`. Groups come by
 /// their lowest vertex, which is also their first.

@@ -112,6 +112,17 @@ inline int CornerOf(const Triangle& triangle, Index vertex)
 {
   return triangle[0] == vertex ? 0 : (triangle[1] == vertex ? 1 : 2);
 }
+
+/// The corner where the triangle's edge between two vertices starts, whichever way it runs.
+inline int EdgeBetween(const Triangle& triangle, Index a, Index b)
+{
+  const int corner = CornerOf(triangle, a);
+  return triangle[Next(corner)] == b ? corner : CornerOf(triangle, b);
+}
+
+/// The triangles around edge k of `t`, from `t` on.
+ARRISFILTERS_EXPORT void RingOfEdge(
+  const Mesh& mesh, const Connectivity& connectivity, Index t, int k, std::vector<Index>& ring);
 }
 
 #endif

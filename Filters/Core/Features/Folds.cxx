@@ -200,19 +200,6 @@ void FindFold(const Mesh& mesh, const Connectivity& connectivity, const Normals&
 }
 }
 
-void RingOfEdge(
-  const Mesh& mesh, const Connectivity& connectivity, Index t, int k, std::vector<Index>& ring)
-{
-  const Index a = mesh.Triangles[t][k];
-  const Index b = mesh.Triangles[t][Next(k)];
-  ring.assign(1, t);
-  for (Index next = connectivity.AcrossEdge[t][k]; next != NoIndex && next != t;
-       next = connectivity.AcrossEdge[next][EdgeBetween(mesh.Triangles[next], a, b)])
-  {
-    ring.push_back(next);
-  }
-}
-
 Folds FindFolds(const Mesh& mesh, const Connectivity& connectivity, const Monitor& monitor)
 {
   const Normals normals = BelievedNormals(mesh, connectivity);

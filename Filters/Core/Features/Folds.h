@@ -40,23 +40,12 @@ struct Folds
 ARRISFILTERS_EXPORT Folds FindFolds(
   const Mesh& mesh, const Connectivity& connectivity, const Monitor& monitor);
 
-/// The corner where the triangle's edge between two vertices starts, whichever way it runs.
-inline int EdgeBetween(const Triangle& triangle, Index a, Index b)
-{
-  const int corner = CornerOf(triangle, a);
-  return triangle[Next(corner)] == b ? corner : CornerOf(triangle, b);
-}
-
 /// Whether two triangles at the edge from `a` to `b` are wound alike: then they run through it in
 /// opposite directions.
 inline bool WoundAlike(const Triangle& one, const Triangle& other, Index a, Index b)
 {
   return one[EdgeBetween(one, a, b)] != other[EdgeBetween(other, a, b)];
 }
-
-/// The triangles around edge k of `t`, from `t` on.
-ARRISFILTERS_EXPORT void RingOfEdge(
-  const Mesh& mesh, const Connectivity& connectivity, Index t, int k, std::vector<Index>& ring);
 }
 
 #endif

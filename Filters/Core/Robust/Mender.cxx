@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace arris
@@ -49,24 +50,6 @@ std::vector<Index> PocketOf(const Mesh& mesh, const Connectivity& connectivity,
     }
   }
   return pocket;
-}
-
-std::vector<Index> DamagedOf(
-  const Mesh& mesh, const Placement& placement, const std::vector<Index>& triangles)
-{
-  std::vector<Index> vertices;
-  for (Index t : triangles)
-  {
-    for (Index v : mesh.Triangles[t])
-    {
-      if (placement.IsDamaged(v))
-      {
-        vertices.push_back(v);
-      }
-    }
-  }
-  SortUnique(vertices);
-  return vertices;
 }
 
 void Mender::Slide(Index v)
@@ -151,7 +134,7 @@ void Mender::Relabel(Index bad, const std::function<bool(Index triangle)>& mayBe
   }
   if (best.Label != NoIndex)
   {
-    const std::vector<Index> vertices = DamagedOf(this->TheMesh, this->ThePlacement, best.Group);
+    const std::vector<Index> vertices = this->ThePlacement.DamagedOf(best.Group);
     this->Apply(best.Group, best.Label, vertices);
     this->Tried.insert(this->Tried.end(), vertices.begin(), vertices.end());
     this->Moved.insert(this->Moved.end(), vertices.begin(), vertices.end());
@@ -232,7 +215,7 @@ bool Mender::IsAllDamaged(const std::vector<Index>& group) const
 void Mender::TryLabels(
   const std::vector<Index>& group, const std::vector<Index>& labels, Best& best)
 {
-  const std::vector<Index> vertices = DamagedOf(this->TheMesh, this->ThePlacement, group);
+  const std::vector<Index> vertices = this->ThePlacement.DamagedOf(group);
   const std::vector<Index> triangles = TrianglesAround(this->TheConnectivity, vertices);
   const double before = this->WorthOf(triangles);
   const double most = MostWorth(triangles.size());

@@ -24,10 +24,6 @@ constexpr Index LargestFan = 32;
 std::vector<Index> PocketOf(const Mesh& mesh, const Connectivity& connectivity,
   const Placement& placement, Index bad, const std::function<bool(Index triangle)>& mayBe);
 
-/// The damaged vertices of triangles, ascending.
-std::vector<Index> DamagedOf(
-  const Mesh& mesh, const Placement& placement, const std::vector<Index>& triangles);
-
 /// Mends triangles. Keeps its working memory: use one object a thread.
 class Mender
 {

@@ -4,10 +4,12 @@
 #include "Placement.h"
 
 #include "Core/Geometry.h"
+#include "Core/SortUnique.h"
 #include "MeetSheets.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace arris
 {
@@ -35,6 +37,19 @@ Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const L
   , OnCurve(labelling.Sides.size(), 0)
   , Walls(labelling.Sides.size())
 {
+}
+
+std::vector<Index> Placement::DamagedOf(const std::vector<Index>& triangles) const
+{
+  std::vector<Index> vertices;
+  for (Index t : triangles)
+  {
+    const Triangle& corners = this->TheMesh.Triangles[t];
+    std::copy_if(corners.begin(), corners.end(), std::back_inserter(vertices),
+      [this](Index v) { return this->IsDamaged(v); });
+  }
+  SortUnique(vertices);
+  return vertices;
 }
 
 std::vector<Placement::Meeting> Placement::MeetingsAt(Index vertex) const

@@ -61,6 +61,13 @@ public:
 
   bool IsDamaged(Index vertex) const { return this->TheLabelling.SidesOf[vertex] != NoIndex; }
 
+  /// The damaged vertices of triangles, and of those around vertices; ascending.
+  std::vector<Index> DamagedOf(const std::vector<Index>& triangles) const;
+  std::vector<Index> DamagedAround(const std::vector<Index>& vertices) const
+  {
+    return this->DamagedOf(TrianglesAround(this->TheConnectivity, vertices));
+  }
+
   const Vec3& PointOf(Index vertex) const { return this->Points[vertex]; }
   void SetPoint(Index vertex, const Vec3& point) { this->Points[vertex] = point; }
 

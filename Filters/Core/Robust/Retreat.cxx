@@ -5,13 +5,8 @@
 
 #include "Core/Flagged.h"
 #include "Core/Intersections.h"
-#include "Core/Parallel.h"
-#include "Core/SortUnique.h"
 #include "Core/TriangleCrossing.h"
 #include "Overturned.h"
-
-#include <algorithm>
-#include <iterator>
 
 namespace arris
 {
@@ -32,40 +27,25 @@ public:
     : TheMesh(mesh)
     , TheConnectivity(connectivity)
     , ThePlacement(placement)
+    , Labelled(Those(triangles,
+        [&](Index t) { return placement.LabelOf(t) != NoIndex || this->Moved(mesh.Triangles[t]); }))
     , StepsBack(connectivity.PatchOf.empty() ? 0 : mesh.Points.size(), 0)
   {
-    Flags isLabelled(triangles.size());
-    ParallelFor(static_cast<Index>(triangles.size()),
-      [&](Index begin, Index end)
-      {
-        for (Index i = begin; i < end; ++i)
-        {
-          const Index t = triangles[i];
-          isLabelled[i] = placement.LabelOf(t) != NoIndex || this->Moved(mesh.Triangles[t]) ? 1 : 0;
-        }
-      });
-    for (Index i : Flagged(isLabelled))
-    {
-      this->Labelled.push_back(triangles[i]);
-    }
   }
 
   void Run()
   {
     this->UndoFolds(this->Labelled);
-    std::vector<Index> suspects;
-    std::copy_if(this->Labelled.begin(), this->Labelled.end(), std::back_inserter(suspects),
-      [this](Index t) { return this->Moved(this->TheMesh.Triangles[t]); });
-    this->UndoCuts(std::move(suspects));
+    this->UndoCuts(
+      Those(this->Labelled, [this](Index t) { return this->Moved(this->TheMesh.Triangles[t]); }));
   }
 
   void TurnBack()
   {
     this->MayOverturn = false;
-    std::vector<Index> overturned, changed;
-    std::copy_if(this->Labelled.begin(), this->Labelled.end(), std::back_inserter(overturned),
-      [this](Index t) { return this->Overturned(t); });
-    this->UndoFolds(std::move(overturned), &changed);
+    std::vector<Index> changed;
+    this->UndoFolds(
+      Those(this->Labelled, [this](Index t) { return this->Overturned(t); }), &changed);
     this->UndoCuts(TrianglesAround(this->TheConnectivity, changed));
   }
 

@@ -6,7 +6,6 @@
 #include "Core/Flagged.h"
 #include "Core/Geometry.h"
 #include "Core/Parallel.h"
-#include "Core/SortUnique.h"
 #include "Creases.h"
 #include "MeetSheets.h"
 
@@ -55,7 +54,7 @@ public:
     {
       const std::vector<Index> changed = this->Sweep(open);
       this->Relabel(changed);
-      open = this->DamagedAround(changed);
+      open = this->ThePlacement.DamagedAround(changed);
     }
   }
 
@@ -122,15 +121,14 @@ private:
   /// Calls visit(vertex) for all others whose places have a part in the creases around one, or the
   /// other way round: an edge of several patches is walked around to the end.
   template <typename Visit>
-  void ForEachInCreases(Index v, Visit&& visit) const
+  void ForEachInCreases(Index v, Visit&& visit)
   {
     for (Index t : this->TheConnectivity.TrianglesOfVertex[v])
     {
       for (int k = 0; k < 3; ++k)
       {
-        const Index a = this->TheMesh.Triangles[t][k];
-        const Index b = this->TheMesh.Triangles[t][Next(k)];
-        for (Index at = t; at != NoIndex; at = this->Across(at, a, b, t))
+        RingOfEdge(this->TheMesh, this->TheConnectivity, t, k, this->Ring);
+        for (Index at : this->Ring)
         {
           for (Index n : this->TheMesh.Triangles[at])
           {
@@ -142,16 +140,6 @@ private:
         }
       }
     }
-  }
-
-  /// The next triangle around an edge; NoIndex where `last` is it.
-  Index Across(Index triangle, Index a, Index b, Index last) const
-  {
-    const Triangle& corners = this->TheMesh.Triangles[triangle];
-    const int atA = CornerOf(corners, a);
-    const int edge = corners[Next(atA)] == b ? atA : CornerOf(corners, b);
-    const Index next = this->TheConnectivity.AcrossEdge[triangle][edge];
-    return next != last ? next : NoIndex;
   }
 
   /// Moves a vertex to its better place, if it has one.
@@ -320,24 +308,6 @@ private:
       std::abs(face.Distance(corners.C)) + turn * (corners.B - corners.A).norm();
   }
 
-  std::vector<Index> DamagedAround(const std::vector<Index>& vertices) const
-  {
-    std::vector<Index> around;
-    for (Index v : vertices)
-    {
-      for (Index n : this->TheConnectivity.NeighborsOfVertex[v])
-      {
-        if (this->ThePlacement.IsDamaged(n))
-        {
-          around.push_back(n);
-        }
-      }
-      around.push_back(v);
-    }
-    SortUnique(around);
-    return around;
-  }
-
   bool IsCommon(Index v) const
   {
     return !this->TheConnectivity.Common.empty() && this->TheConnectivity.Common[v];
@@ -349,6 +319,7 @@ private:
   const std::vector<Vec3>& Input;
   Placement& ThePlacement;
   std::vector<Index> ColourOf; // each vertex that has one in this sweep; else NoIndex
+  std::vector<Index> Ring; // working memory
 };
 }
 

@@ -4,6 +4,7 @@
 #include "Untangle.h"
 
 #include "Clusters.h"
+#include "Core/Flagged.h"
 #include "Core/Parallel.h"
 #include "Core/SortUnique.h"
 #include "Mender.h"
@@ -45,7 +46,8 @@ public:
     for (int round = 0; !suspects.empty(); ++round)
     {
       // What single vertices could not mend in a few rounds may want room made by the ones around.
-      suspects = this->MendAll(this->TryAgain(this->BadAmong(suspects)), round >= RoundsAlone);
+      const std::vector<Index> bad = Those(suspects, [this](Index t) { return this->IsBad(t); });
+      suspects = this->MendAll(this->TryAgain(bad), round >= RoundsAlone);
     }
     SortUnique(this->Moved);
     return std::move(this->Moved);
@@ -59,28 +61,6 @@ private:
     std::copy_if(bad.begin(), bad.end(), std::back_inserter(again),
       [this](Index t) { return this->Tries[t]++ < MostTries; });
     return again;
-  }
-
-  std::vector<Index> BadAmong(const std::vector<Index>& triangles) const
-  {
-    Flags isBad(triangles.size());
-    ParallelFor(static_cast<Index>(triangles.size()),
-      [&](Index begin, Index end)
-      {
-        for (Index i = begin; i < end; ++i)
-        {
-          isBad[i] = this->IsBad(triangles[i]) ? 1 : 0;
-        }
-      });
-    std::vector<Index> bad;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      if (isBad[i])
-      {
-        bad.push_back(triangles[i]);
-      }
-    }
-    return bad;
   }
 
   bool IsBad(Index t) const
@@ -151,13 +131,12 @@ private:
     std::vector<Index> own;
     std::transform(
       cluster.begin(), cluster.end(), std::back_inserter(own), [&](Index i) { return bad[i]; });
-    std::vector<Index> vertices = DamagedOf(this->TheMesh, this->ThePlacement, own);
+    std::vector<Index> vertices = this->ThePlacement.DamagedOf(own);
     if (stuck)
     {
-      vertices = DamagedOf(
-        this->TheMesh, this->ThePlacement, TrianglesAround(this->TheConnectivity, vertices));
+      vertices = this->ThePlacement.DamagedAround(vertices);
     }
-    for (Index v : this->InOrder(vertices))
+    for (Index v : this->Shuffled(vertices))
     {
       mender.Slide(v);
     }
@@ -169,15 +148,15 @@ private:
     };
     own.erase(std::remove_if(own.begin(), own.end(), [this](Index t) { return !this->IsBad(t); }),
       own.end());
-    for (Index t : this->InOrder(own))
+    for (Index t : this->Shuffled(own))
     {
       mender.Relabel(t, isOwn);
     }
   }
 
-  /// Shuffles what comes first and what comes later. By places, not numbers: so what is in no
-  /// triangle has no part in it.
-  std::vector<Index> InOrder(const std::vector<Index>& items) const
+  /// The items as they are, or in another order. By places, not numbers: so what is in no triangle
+  /// has no part in it.
+  std::vector<Index> Shuffled(const std::vector<Index>& items) const
   {
     if (this->Order == 0)
     {
@@ -212,9 +191,7 @@ private:
     {
       return TrianglesAround(this->TheConnectivity, mender.Tried);
     }
-    return TrianglesAround(this->TheConnectivity,
-      DamagedOf(
-        this->TheMesh, this->ThePlacement, TrianglesAround(this->TheConnectivity, mender.Moved)));
+    return TrianglesAround(this->TheConnectivity, this->ThePlacement.DamagedAround(mender.Moved));
   }
 
   const Mesh& TheMesh;

@@ -66,6 +66,12 @@ inline Mesh FlatGrid(Index columns, Index rows)
   return Extrude(profile, rows, Vec3(0.0, 1.0, 0.0));
 }
 
+/// The vertex in the middle of a flat grid of width x width squares.
+constexpr Index MiddleOfGrid(Index width)
+{
+  return (width / 2) * (width + 1) + width / 2;
+}
+
 /// The profile in the plane y = 0 of two half planes that meet at the origin with `angle` (degrees)
 /// between their normals: `width` points one unit apart on each, and the fold between them, at
 /// index `width`. Positive angles fold down (a ridge), negative ones up (a valley).

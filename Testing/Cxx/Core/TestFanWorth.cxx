@@ -15,7 +15,7 @@ using namespace arris::testing;
 namespace
 {
 constexpr Index Width = 6;
-constexpr Index Middle = (Width / 2) * (Width + 1) + Width / 2;
+constexpr Index Middle = MiddleOfGrid(Width);
 
 /// A flat grid, of which nothing is damaged: triangles are to face as they did.
 class FlatFan : public ::testing::Test

@@ -14,7 +14,7 @@ using namespace arris::testing;
 TEST(Mending, TurnsBackAfterTheLastPassWhatAnEarlierOneHasTurnedOver)
 {
   constexpr Index Width = 8;
-  constexpr Index Middle = (Width / 2) * (Width + 1) + Width / 2;
+  constexpr Index Middle = MiddleOfGrid(Width);
   const Mesh before = FlatGrid(Width, Width);
   Mesh now = before;
   now.Points[Middle].x() += 1.5;

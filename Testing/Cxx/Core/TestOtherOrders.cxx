@@ -13,7 +13,7 @@ using namespace arris::testing;
 namespace
 {
 constexpr Index Width = 8;
-constexpr Index Middle = (Width / 2) * (Width + 1) + Width / 2;
+constexpr Index Middle = MiddleOfGrid(Width);
 
 /// A flat grid, all of it damaged and part of one face, which is flat too.
 class DamagedPlane : public ::testing::Test

@@ -13,7 +13,7 @@ using namespace arris::testing;
 namespace
 {
 constexpr Index Width = 40;
-constexpr Index Middle = (Width / 2) * (Width + 1) + Width / 2;
+constexpr Index Middle = MiddleOfGrid(Width);
 
 /// What is settled of a flat grid whose local scale is the same everywhere.
 Settled SettledOf(const Mesh& mesh, double scale, const std::vector<Index>& open)

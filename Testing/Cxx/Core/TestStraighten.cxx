@@ -58,7 +58,7 @@ protected:
     {
       placement.SetPoint(v, points[v]);
     }
-    Straighten(this->Roof, this->Around, this->Labels, this->Roof.Points, this->Damaged, placement);
+    Straighten(this->Cut, this->Around, this->Labels, this->Cut.Points, this->Damaged, placement);
     return placement.AllPoints();
   }
 
