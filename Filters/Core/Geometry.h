@@ -77,13 +77,22 @@ ARRISFILTERS_EXPORT double Diagonal(const Mesh& mesh);
 ARRISFILTERS_EXPORT double SquaredDistance(const Vec3& point, const Corners& triangle);
 
 /// The unit normal of a triangle; zero if its height is no more than that.
+inline Vec3 UnitNormal(const Vec3& a, const Vec3& b, const Vec3& c, double height)
+{
+  const Vec3 toB = b - a;
+  const Vec3 toC = c - a;
+  const Vec3 area = toB.cross(toC);
+  const double square = area.squaredNorm();
+  const double longest = std::max({ toB.squaredNorm(), (c - b).squaredNorm(), toC.squaredNorm() });
+  const double twiceArea = std::sqrt(square);
+  // Nearly all triangles are so much higher that it needs no second root.
+  const bool high =
+    square > 4.0 * height * height * longest || twiceArea > height * std::sqrt(longest);
+  return high ? Vec3(area / twiceArea) : Vec3(Vec3::Zero());
+}
 inline Vec3 UnitNormal(const Corners& corners, double height)
 {
-  const Vec3 area = corners.AreaVector();
-  const double twiceArea = area.norm();
-  const double longest = std::sqrt(std::max({ (corners.B - corners.A).squaredNorm(),
-    (corners.C - corners.B).squaredNorm(), (corners.A - corners.C).squaredNorm() }));
-  return twiceArea > height * longest ? Vec3(area / twiceArea) : Vec3(Vec3::Zero());
+  return UnitNormal(corners.A, corners.B, corners.C, height);
 }
 
 /// The unit normal of each triangle; zero where a triangle is so flat (its height under
