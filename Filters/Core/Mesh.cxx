@@ -3,6 +3,7 @@
 
 #include "Mesh.h"
 
+#include "ClosedFan.h"
 #include "Parallel.h"
 #include "SortUnique.h"
 
@@ -15,7 +16,7 @@ namespace arris
 namespace
 {
 /// Room for one row a vertex, of the lengths counted by `lengths`.
-std::vector<Index> OffsetsFromLengths(const std::vector<Index>& lengths)
+std::vector<Index> OffsetsFromLengths(const Unfilled<Index>& lengths)
 {
   std::vector<Index> offsets(lengths.size() + 1, 0);
   std::partial_sum(lengths.begin(), lengths.end(), offsets.begin() + 1);
@@ -24,25 +25,27 @@ std::vector<Index> OffsetsFromLengths(const std::vector<Index>& lengths)
 
 Rows CollectTrianglesOfVertex(const Mesh& mesh)
 {
-  std::vector<Index> lengths(mesh.Points.size(), 0);
+  // Each row's length is counted two places on; the sums up to there are where the row before
+  // begins, and are moved on to its end as it fills.
+  Rows rows;
+  rows.Offsets.assign(mesh.Points.size() + 2, 0);
   for (const Triangle& triangle : mesh.Triangles)
   {
     for (Index vertex : triangle)
     {
-      ++lengths[vertex];
+      ++rows.Offsets[vertex + 2];
     }
   }
-  Rows rows;
-  rows.Offsets = OffsetsFromLengths(lengths);
+  std::partial_sum(rows.Offsets.begin(), rows.Offsets.end(), rows.Offsets.begin());
   rows.Values.resize(3 * mesh.Triangles.size());
-  std::vector<Index> next(rows.Offsets.begin(), rows.Offsets.end() - 1);
   for (Index t = 0; t < mesh.TriangleCount(); ++t)
   {
     for (Index vertex : mesh.Triangles[t])
     {
-      rows.Values[next[vertex]++] = t; // ascending, as t is
+      rows.Values[rows.Offsets[vertex + 1]++] = t; // ascending, as t is
     }
   }
+  rows.Offsets.pop_back();
   return rows;
 }
 
@@ -107,7 +110,7 @@ private:
     return (static_cast<std::uint64_t>(neighbor) << 32) |
       (3 * static_cast<std::uint32_t>(triangle) + static_cast<std::uint32_t>(edge));
   }
-  /// Most vertices have six edges or so, which insertion sorts fastest.
+  /// Few edges are sorted fastest by insertion.
   static void Sort(std::vector<std::uint64_t>& sides)
   {
     constexpr std::size_t Few = 16;
@@ -162,8 +165,8 @@ void LinkAround(const std::uint64_t* sides, int count, Unfilled<std::array<Index
 
 /// Makes room for `lengths` in the rows of neighbours. A row that is as long as that of the
 /// triangles is where it belongs if all are, as on a closed mesh; the others are gathered anew.
-void SpreadNeighbors(const Mesh& mesh, const Rows& trianglesOfVertex,
-  const std::vector<Index>& lengths, Rows& neighbors)
+void SpreadNeighbors(
+  const Mesh& mesh, const Rows& trianglesOfVertex, const Unfilled<Index>& lengths, Rows& neighbors)
 {
   std::vector<Index> offsets = OffsetsFromLengths(lengths);
   if (offsets == trianglesOfVertex.Offsets)
@@ -199,24 +202,40 @@ Connectivity::Connectivity(const Mesh& mesh)
   , AcrossEdge(mesh.Triangles.size())
   , OnBoundary(mesh.Points.size(), 0)
 {
-  std::vector<Index> lengths(mesh.Points.size());
+  Unfilled<Index> lengths(mesh.Points.size());
   this->NeighborsOfVertex.Values.resize(this->TrianglesOfVertex.Values.size());
   ParallelFor(mesh.VertexCount(),
     [&](Index begin, Index end)
     {
-      Spokes spokes;
+      ClosedFan fan;
+      Spokes spokes; // for those that are none
       for (Index v = begin; v < end; ++v)
       {
         const IndexSpan triangles = this->TrianglesOfVertex[v];
         Index* neighbors =
           this->NeighborsOfVertex.Values.data() + this->TrianglesOfVertex.Offsets[v];
+        if (fan.Gather(mesh, triangles, v))
+        {
+          fan.ForEachEdge(
+            [&](Index i, Index j, Index neighbor, Index rank)
+            {
+              if (v < neighbor) // or both ends would
+              {
+                this->AcrossEdge[triangles[i]][fan.LeavingEdge(i)] = triangles[j];
+                this->AcrossEdge[triangles[j]][fan.ArrivingEdge(j)] = triangles[i];
+              }
+              neighbors[rank] = neighbor;
+            });
+          lengths[v] = triangles.size();
+          continue;
+        }
         Index count = 0;
         bool closed = true;
         spokes.Gather(mesh, triangles, v);
         spokes.ForEachEdge(
           [&](Index neighbor, const std::uint64_t* sides, int sideCount)
           {
-            if (v < neighbor) // or both ends would
+            if (v < neighbor)
             {
               LinkAround(sides, sideCount, this->AcrossEdge);
             }

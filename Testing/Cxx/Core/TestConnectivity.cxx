@@ -102,6 +102,50 @@ TEST(Connectivity, AcrossEdgeLeadsToTheOtherTriangleOfTheEdgeAndBack)
   }
 }
 
+TEST(Connectivity, OfFansOfAnySizeHoweverTheyAreWound)
+{
+  for (Index size = 3; size <= 20; ++size)
+  {
+    Mesh mesh; // two pyramids on one another; their tips are the last two points
+    mesh.Points.resize(static_cast<std::size_t>(size) + 2);
+    for (Index i = 0; i < size; ++i)
+    {
+      const Index step = size % 7 == 0 ? 1 : 7; // not in order
+      const Index a = i * step % size;
+      const Index b = (i + 1) * step % size;
+      mesh.Triangles.push_back({ a, b, size });
+      mesh.Triangles.push_back({ b, a, size + 1 });
+    }
+    for (const bool turned : { false, true })
+    {
+      if (turned)
+      {
+        std::swap(mesh.Triangles[2][0], mesh.Triangles[2][1]);
+      }
+      const Connectivity connectivity(mesh);
+      EXPECT_EQ(BoundaryVertices(mesh), 0u);
+      EXPECT_EQ(EulerCharacteristic(mesh), 2);
+      std::vector<Index> rim(static_cast<std::size_t>(size));
+      std::iota(rim.begin(), rim.end(), 0);
+      EXPECT_EQ(ToVector(connectivity.NeighborsOfVertex[size]), rim);
+      for (Index t = 0; t < mesh.TriangleCount(); ++t)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const Index a = mesh.Triangles[t][k];
+          const Index b = mesh.Triangles[t][Next(k)];
+          const Index other = connectivity.AcrossEdge[t][k];
+          ASSERT_NE(other, NoIndex);
+          const Triangle& triangle = mesh.Triangles[other];
+          const int there = EdgeBetween(triangle, a, b);
+          EXPECT_TRUE(std::minmax(triangle[there], triangle[Next(there)]) == std::minmax(a, b));
+          EXPECT_EQ(connectivity.AcrossEdge[other][there], t);
+        }
+      }
+    }
+  }
+}
+
 TEST(Connectivity, DoesNotAskHowTrianglesAreWound)
 {
   Mesh mesh = FlatGrid(1, 1);
