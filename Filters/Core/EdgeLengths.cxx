@@ -13,15 +13,16 @@ namespace arris
 {
 namespace
 {
+/// Visits the squares of the lengths.
 template <typename Visit>
-void ForEachEdgeFrom(
+void ForEachSquareFrom(
   Index vertex, const Mesh& mesh, const Connectivity& connectivity, Visit&& visit)
 {
   for (Index neighbor : connectivity.NeighborsOfVertex[vertex])
   {
     if (vertex < neighbor) // or it is counted at both ends
     {
-      visit((mesh.Points[neighbor] - mesh.Points[vertex]).norm());
+      visit((mesh.Points[neighbor] - mesh.Points[vertex]).squaredNorm());
     }
   }
 }
@@ -36,12 +37,13 @@ double LongestEdge(const Mesh& mesh, const Connectivity& connectivity)
       double own = 0.0;
       for (Index v = begin; v < end; ++v)
       {
-        ForEachEdgeFrom(v, mesh, connectivity, [&](double length) { own = std::max(own, length); });
+        ForEachSquareFrom(
+          v, mesh, connectivity, [&](double square) { own = std::max(own, square); });
       }
       const std::lock_guard<std::mutex> lock(mutex);
       longest = std::max(longest, own);
     });
-  return longest;
+  return std::sqrt(longest);
 }
 
 /// The mean of a function, from -1 to 1, of the edges' lengths that are `least` at least; 0 if
@@ -53,9 +55,10 @@ double MeanOverEdges(
   const auto [sum, count] = ExactSums<2>(mesh.VertexCount(),
     [&](Index v, auto& sums)
     {
-      ForEachEdgeFrom(v, mesh, connectivity,
-        [&](double length)
+      ForEachSquareFrom(v, mesh, connectivity,
+        [&](double square)
         {
+          const double length = std::sqrt(square);
           if (length >= least)
           {
             sums[0].Add(function(length));
