@@ -9,30 +9,15 @@
 
 namespace arris
 {
-namespace
-{
-/// Whether no other triangle at this edge has a lower number: so that each edge is named once.
-bool IsLowestAt(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, Index t,
-  int k, std::vector<Index>& ring)
-{
-  if (folds.Kinds[t][k] != EdgeKind::NonManifold)
-  {
-    const Index other = connectivity.AcrossEdge[t][k];
-    return other == NoIndex || t < other;
-  }
-  RingOfEdge(mesh, connectivity, t, k, ring);
-  return *std::min_element(ring.begin(), ring.end()) == t;
-}
-}
-
 FeatureEdge MakeFeature(
   const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, Index t, int k)
 {
   const Triangle& triangle = mesh.Triangles[t];
   const auto ends = std::minmax(triangle[k], triangle[Next(k)]);
+  const EdgeFold fold = FoldAt(mesh, connectivity, folds, t, k);
   FeatureEdge edge{ ends.first, ends.second,
-    std::min(180.0, AngleOfDifference(std::abs(static_cast<double>(folds.Differences[t][k])))),
-    folds.Kinds[t][k], t, connectivity.AcrossEdge[t][k] };
+    std::min(180.0, AngleOfDifference(std::abs(static_cast<double>(fold.Difference)))), fold.Kind,
+    t, connectivity.AcrossEdge[t][k] };
   if (triangle[k] != edge.A)
   {
     std::swap(edge.Left, edge.Right);
@@ -60,21 +45,18 @@ std::vector<FeatureEdge> CandidateEdges(
   const double threshold = DifferenceOfAngle(least);
   std::vector<FeatureEdge> edges;
   std::mutex adding;
-  ParallelFor(mesh.TriangleCount(),
+  ParallelFor(static_cast<Index>(folds.Steep.size()),
     [&](Index begin, Index end)
     {
       std::vector<FeatureEdge> found;
-      std::vector<Index> ring;
-      for (Index t = begin; t < end; ++t)
+      for (Index i = begin; i < end; ++i)
       {
-        for (int k = 0; k < 3; ++k)
+        const SteepEdge& steep = folds.Steep[i];
+        const Index t = steep.Triangle;
+        const int k = steep.Edge;
+        if (steep.Difference > threshold || !IsFold(FoldAt(mesh, connectivity, folds, t, k).Kind))
         {
-          const bool candidate = !IsFold(folds.Kinds[t][k]) ||
-            std::abs(static_cast<double>(folds.Differences[t][k])) > threshold;
-          if (candidate && IsLowestAt(mesh, connectivity, folds, t, k, ring))
-          {
-            found.push_back(MakeFeature(mesh, connectivity, folds, t, k));
-          }
+          found.push_back(MakeFeature(mesh, connectivity, folds, t, k));
         }
       }
       const std::lock_guard<std::mutex> lock(adding);
@@ -86,8 +68,7 @@ std::vector<FeatureEdge> CandidateEdges(
 
 void SortEdges(std::vector<FeatureEdge>& edges)
 {
-  std::sort(edges.begin(), edges.end(),
-    [](const FeatureEdge& a, const FeatureEdge& b) { return a.A != b.A ? a.A < b.A : a.B < b.B; });
+  std::sort(edges.begin(), edges.end(), ComesBefore);
 }
 
 const FeatureEdge* FindFeature(const std::vector<FeatureEdge>& sortedFeatures, Index a, Index b)

@@ -39,7 +39,13 @@ ARRISFILTERS_EXPORT FeatureEdge MakeFeatureBetween(
 ARRISFILTERS_EXPORT std::vector<FeatureEdge> CandidateEdges(
   const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, double least);
 
-/// Sorts edges by A, then B.
+/// The order of edges: by A, then B.
+inline bool ComesBefore(const FeatureEdge& one, const FeatureEdge& other)
+{
+  return one.A != other.A ? one.A < other.A : one.B < other.B;
+}
+
+/// Sorts edges so.
 ARRISFILTERS_EXPORT void SortEdges(std::vector<FeatureEdge>& edges);
 
 /// Where the edge between two vertices stands among edges sorted as above, or null.

@@ -7,6 +7,10 @@
 #include "NearCorners.h"
 #include "Slivers.h"
 #include "Tails.h"
+#include "Tips.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace arris
 {
@@ -23,6 +27,16 @@ std::vector<int> SortsOf(const std::vector<FeatureEdge>& edges)
   }
   return sorts;
 }
+
+/// Those of some edges that are not among the others; both are sorted.
+std::vector<FeatureEdge> Missing(
+  const std::vector<FeatureEdge>& before, const std::vector<FeatureEdge>& after)
+{
+  std::vector<FeatureEdge> missing;
+  std::set_difference(before.begin(), before.end(), after.begin(), after.end(),
+    std::back_inserter(missing), ComesBefore);
+  return missing;
+}
 }
 
 bool ExtractFeatures(const Mesh& mesh, const Connectivity& connectivity,
@@ -33,26 +47,31 @@ bool ExtractFeatures(const Mesh& mesh, const Connectivity& connectivity,
   constexpr double Selected = 0.6;
   constexpr double Cornered = 0.8;
 
-  const Folds folds = FindFolds(mesh, connectivity, monitor.Part(0.0, Folded));
-  if (folds.Kinds.size() != mesh.Triangles.size() ||
+  const AngleBand& band = parameters.Criteria.Band;
+  const double least =
+    std::min(DifferenceOfAngle(band.Continuation), LeastFoldAtTips(band.Seed)); // that anyone asks
+  const Folds folds = FindFolds(mesh, connectivity, monitor.Part(0.0, Folded), least);
+  if (folds.Normals.size() != mesh.Triangles.size() ||
     !SelectFeatures(mesh, connectivity, folds, parameters.Criteria, monitor.Part(Folded, Selected),
       features.Edges))
   {
     return false;
   }
   features.Faces = FindSurfaces(mesh, connectivity, features.Edges);
+  std::vector<FeatureEdge> before = features.Edges;
   while (DropSlivers(mesh, features.Faces, features.Edges)) // each time there are fewer edges
   {
     CutTails(mesh.Points, connectivity.OnBoundary, parameters.Criteria, features.Edges);
-    features.Faces = FindSurfaces(mesh, connectivity, features.Edges);
+    JoinSurfaces(mesh, connectivity, Missing(before, features.Edges), features.Faces);
+    before = features.Edges;
   }
+  CountLoops(mesh, connectivity, features.Edges, features.Faces);
   features.Network = JoinEdges(EndsOf(features.Edges), mesh.Points,
-    { parameters.Criteria.Band.Turn, parameters.Criteria.CornerReach, SortsOf(features.Edges),
-      true });
+    { band.Turn, parameters.Criteria.CornerReach, SortsOf(features.Edges), true });
   MergeNearCorners(mesh.Points, features.Network);
   OrientCurves(features.Edges, features.Faces.Ids, features.Network.Curves);
-  if (!FindFeatureCorners(mesh, connectivity, folds, features.Network, features.Edges,
-        parameters.Criteria.Band.Seed, monitor.Part(Selected, Cornered), features.Corners))
+  if (!FindFeatureCorners(mesh, connectivity, folds, features.Network, features.Edges, band.Seed,
+        monitor.Part(Selected, Cornered), features.Corners))
   {
     return false;
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 
 namespace arris
 {
@@ -17,9 +18,18 @@ constexpr double ThinHeight = 5e-6;
 /// A thin triangle may lie at a thin one; so many of them are passed to find one that is not.
 constexpr int MostThinInARow = 8;
 
+/// A mesh of so many steep edges is noisy, or coarse and small.
+constexpr double NoisyPart = 0.1;
+
 /// In single precision, as the folds are.
 using Normal = Eigen::Vector3f;
-using Normals = std::vector<Normal>;
+using Normals = Unfilled<Normal>;
+
+/// Not so of the zero that stands where there is none.
+bool IsKnown(const Normal& normal)
+{
+  return normal.squaredNorm() > 0.0F;
+}
 
 /// The longest edge of a triangle; of two that are equal, as where two of its corners coincide, the
 /// one to the larger neighbour: so the order of storage does not matter.
@@ -51,7 +61,7 @@ Normal NormalBeyond(
 {
   Index from = t;
   float sign = 1.0F;
-  for (int i = 0; i < MostThinInARow && from != NoIndex && normals[from].isZero(0.0F); ++i)
+  for (int i = 0; i < MostThinInARow && from != NoIndex && !IsKnown(normals[from]); ++i)
   {
     const int k = LongestEdge(mesh, connectivity, from);
     const Index to = connectivity.AcrossEdge[from][k];
@@ -78,8 +88,10 @@ Normals BelievedNormals(const Mesh& mesh, const Connectivity& connectivity)
       bool any = false;
       for (Index t = begin; t < end; ++t)
       {
-        normals[t] = UnitNormal(Corners(mesh, t), leastHeight).cast<float>();
-        any = any || normals[t].isZero(0.0F);
+        const auto [a, b, c] = mesh.Triangles[t];
+        normals[t] =
+          UnitNormal(mesh.Points[a], mesh.Points[b], mesh.Points[c], leastHeight).cast<float>();
+        any = any || !IsKnown(normals[t]);
       }
       if (any)
       {
@@ -89,7 +101,7 @@ Normals BelievedNormals(const Mesh& mesh, const Connectivity& connectivity)
   std::vector<Index> thin;
   for (Index t = 0; anyThin && t < mesh.TriangleCount(); ++t)
   {
-    if (normals[t].isZero(0.0F))
+    if (!IsKnown(normals[t]))
     {
       thin.push_back(t);
     }
@@ -114,7 +126,7 @@ Normals BelievedNormals(const Mesh& mesh, const Connectivity& connectivity)
 /// has no normal.
 float DifferenceOf(const Normal& normal, const Normal& other, bool woundAlike)
 {
-  if (normal.isZero(0.0F) || other.isZero(0.0F))
+  if (!IsKnown(normal) || !IsKnown(other))
   {
     return 0.0F;
   }
@@ -136,9 +148,9 @@ float LargestDifference(
   return largest;
 }
 
-/// Writes the fold of edge k of `t` for both triangles there: of the other one it is edge `there`.
-void FindManifoldFold(
-  const Mesh& mesh, const Normals& normals, Index t, int k, Index other, int there, Folds& folds)
+/// The fold of edge k of `t` and the higher triangle `other`, of which it is edge `there`.
+EdgeFold ManifoldFold(
+  const Mesh& mesh, const Normals& normals, Index t, int k, Index other, int there)
 {
   const Triangle& triangle = mesh.Triangles[t];
   const Triangle& neighbor = mesh.Triangles[other];
@@ -147,76 +159,131 @@ void FindManifoldFold(
   // Whether the other triangle falls away behind this one.
   const Vec3 across = mesh.Points[neighbor[Next(Next(there))]] - mesh.Points[triangle[k]];
   const bool convex = normals[t].cast<double>().dot(across) <= 0.0;
-  folds.Differences[t][k] = convex ? fold : -fold;
-  folds.Differences[other][there] = folds.Differences[t][k];
-  folds.Kinds[t][k] = convex ? EdgeKind::Convex : EdgeKind::Concave;
-  folds.Kinds[other][there] = folds.Kinds[t][k];
+  return { convex ? fold : -fold, convex ? EdgeKind::Convex : EdgeKind::Concave };
 }
 
-/// Likewise for all triangles of a ring, if `t` is the lowest of them.
-void FindNonManifoldFold(const Mesh& mesh, const Connectivity& connectivity, const Normals& normals,
-  Index t, int k, Folds& folds)
+/// Whether an edge may have more than two triangles; else it has one or two.
+bool MayBeNonManifold(const Connectivity& connectivity, const Triangle& triangle, int k)
 {
-  const Index a = mesh.Triangles[t][k];
-  const Index b = mesh.Triangles[t][Next(k)];
-  std::vector<Index> ring;
-  RingOfEdge(mesh, connectivity, t, k, ring);
-  if (*std::min_element(ring.begin(), ring.end()) != t)
-  {
-    return;
-  }
-  const float largest = LargestDifference(mesh, normals, ring, a, b);
-  for (const Index around : ring)
-  {
-    const int there = EdgeBetween(mesh.Triangles[around], a, b);
-    folds.Differences[around][there] = largest;
-    folds.Kinds[around][there] = EdgeKind::NonManifold;
-  }
+  return connectivity.OnBoundary[triangle[k]] && connectivity.OnBoundary[triangle[Next(k)]];
 }
 
-/// Writes the fold of edge k of `t` unless a lower triangle there does.
-void FindFold(const Mesh& mesh, const Connectivity& connectivity, const Normals& normals, Index t,
-  int k, Folds& folds)
+/// Adds edge k of `t` if it is steep, unless a lower triangle there does.
+void AddIfSteep(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, Index t,
+  int k, std::vector<SteepEdge>& steep)
 {
   const Index other = connectivity.AcrossEdge[t][k];
   if (other == NoIndex)
   {
-    folds.Differences[t][k] = 0.0F;
-    folds.Kinds[t][k] = EdgeKind::Boundary;
+    steep.push_back({ t, k, 0.0F });
+    return;
   }
-  else if (t < other) // as it is for the lowest one of a ring, too
+  if (other < t) // which it is not for the lowest one of a ring
   {
-    const Triangle& triangle = mesh.Triangles[t];
-    const int there = EdgeBetween(mesh.Triangles[other], triangle[k], triangle[Next(k)]);
-    if (connectivity.AcrossEdge[other][there] == t)
+    return;
+  }
+  if (MayBeNonManifold(connectivity, mesh.Triangles[t], k))
+  {
+    std::vector<Index> ring;
+    RingOfEdge(mesh, connectivity, t, k, ring);
+    if (ring.size() > 2)
     {
-      FindManifoldFold(mesh, normals, t, k, other, there, folds);
-    }
-    else
-    {
-      FindNonManifoldFold(mesh, connectivity, normals, t, k, folds);
+      if (*std::min_element(ring.begin(), ring.end()) == t)
+      {
+        steep.push_back({ t, k, FoldSize(mesh, connectivity, folds, t, k) });
+      }
+      return;
     }
   }
-}
+  const float size = FoldSize(mesh, connectivity, folds, t, k);
+  if (size >= folds.Least)
+  {
+    steep.push_back({ t, k, size });
+  }
 }
 
-Folds FindFolds(const Mesh& mesh, const Connectivity& connectivity, const Monitor& monitor)
+void KeepDifferences(const Mesh& mesh, const Connectivity& connectivity, Folds& folds)
 {
-  const Normals normals = BelievedNormals(mesh, connectivity);
-  Folds folds;
   folds.Differences.resize(mesh.Triangles.size());
-  folds.Kinds.resize(mesh.Triangles.size());
-  const bool finished = ParallelFor(mesh.TriangleCount(), monitor,
+  ParallelFor(mesh.TriangleCount(),
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)
       {
         for (int k = 0; k < 3; ++k)
         {
-          FindFold(mesh, connectivity, normals, t, k, folds);
+          folds.Differences[t][k] = FoldAt(mesh, connectivity, folds, t, k).Difference;
         }
       }
     });
-  return finished ? folds : Folds();
+}
+}
+
+Folds FindFolds(
+  const Mesh& mesh, const Connectivity& connectivity, const Monitor& monitor, double least)
+{
+  Folds folds;
+  folds.Normals = BelievedNormals(mesh, connectivity);
+  folds.Least = least;
+  std::mutex adding;
+  const bool finished = ParallelFor(mesh.TriangleCount(), monitor,
+    [&](Index begin, Index end)
+    {
+      std::vector<SteepEdge> steep;
+      for (Index t = begin; t < end; ++t)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          AddIfSteep(mesh, connectivity, folds, t, k, steep);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(adding);
+      folds.Steep.insert(folds.Steep.end(), steep.begin(), steep.end());
+    });
+  if (!finished)
+  {
+    return {};
+  }
+  if (folds.Steep.size() > NoisyPart * 1.5 * mesh.Triangles.size()) // edges a triangle
+  {
+    KeepDifferences(mesh, connectivity, folds);
+  }
+  return folds; // not by `?:`, which would copy them
+}
+
+EdgeFold FoldAt(
+  const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, Index t, int k)
+{
+  const Index other = connectivity.AcrossEdge[t][k];
+  if (other == NoIndex)
+  {
+    return { 0.0F, EdgeKind::Boundary };
+  }
+  const Triangle& triangle = mesh.Triangles[t];
+  const Index a = triangle[k];
+  const Index b = triangle[Next(k)];
+  const int there = EdgeBetween(mesh.Triangles[other], a, b);
+  if (connectivity.AcrossEdge[other][there] == t)
+  {
+    return t < other ? ManifoldFold(mesh, folds.Normals, t, k, other, there)
+                     : ManifoldFold(mesh, folds.Normals, other, there, t, k);
+  }
+  std::vector<Index> ring;
+  RingOfEdge(mesh, connectivity, t, k, ring);
+  return { LargestDifference(mesh, folds.Normals, ring, a, b), EdgeKind::NonManifold };
+}
+
+float FoldSize(
+  const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, Index t, int k)
+{
+  const Index other = connectivity.AcrossEdge[t][k];
+  const Triangle& triangle = mesh.Triangles[t];
+  if (other == NoIndex || MayBeNonManifold(connectivity, triangle, k))
+  {
+    return std::abs(FoldAt(mesh, connectivity, folds, t, k).Difference);
+  }
+  const Triangle& neighbor = mesh.Triangles[other];
+  const bool alike = neighbor[Next(CornerOf(neighbor, triangle[k]))] != triangle[Next(k)];
+  return DifferenceOf(folds.Normals[t], folds.Normals[other], alike);
 }
 }

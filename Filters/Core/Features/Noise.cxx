@@ -112,34 +112,68 @@ private:
   }
 
   /// Whether a part of the edges around folds by more than a difference, in both directions.
-  bool FoldsBothWays(double difference) const
+  bool FoldsBothWays(double difference)
   {
+    if (!this->FoldsEitherWay(difference))
+    {
+      return false; // as nearly always: which way need not be known
+    }
+    this->Differences.clear();
     std::size_t up = 0;
     std::size_t down = 0;
     for (const Index t : this->Near)
     {
-      for (const float fold : this->EdgeFolds.Differences[t])
+      for (int k = 0; k < 3; ++k)
       {
+        const float fold = this->DifferenceAt(t, k);
+        this->Differences.push_back(fold);
         up += fold > difference ? 1 : 0;
         down += fold < -difference ? 1 : 0;
       }
     }
-    return static_cast<double>(std::min(up, down)) >
-      NoisyPart * 3.0 * static_cast<double>(this->Near.size());
+    return static_cast<double>(std::min(up, down)) > this->NoisyCount();
   }
+
+  float DifferenceAt(Index t, int k) const
+  {
+    return this->EdgeFolds.Differences.empty()
+      ? FoldAt(this->Surface, this->Adjacency, this->EdgeFolds, t, k).Difference
+      : this->EdgeFolds.Differences[t][k];
+  }
+
+  /// Whether so many may fold by more as must if they do in both directions.
+  bool FoldsEitherWay(double difference) const
+  {
+    if (!this->EdgeFolds.Differences.empty())
+    {
+      return true; // which way is known as soon
+    }
+    std::size_t may = 3 * this->Near.size();
+    for (const Index t : this->Near)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        may -= FoldSize(this->Surface, this->Adjacency, this->EdgeFolds, t, k) > difference ? 0 : 1;
+      }
+      if (static_cast<double>(may) <= 2.0 * this->NoisyCount())
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  double NoisyCount() const { return NoisyPart * 3.0 * static_cast<double>(this->Near.size()); }
 
   /// The angle that this part of the edges exceeds in both directions, in degrees.
   double NoiseLevel()
   {
     this->Up.clear();
     this->Down.clear();
-    for (const Index t : this->Near)
+    for (const float difference : this->Differences)
     {
-      for (const float difference : this->EdgeFolds.Differences[t])
-      {
-        this->Up.push_back(std::max(0.0F, difference));
-        this->Down.push_back(std::max(0.0F, -difference));
-      }
+      this->Up.push_back(std::max(0.0F, difference));
+      this->Down.push_back(std::max(0.0F, -difference));
     }
     const auto rank = static_cast<std::ptrdiff_t>((1.0 - NoisyPart) * this->Up.size());
     std::nth_element(this->Up.begin(), this->Up.begin() + rank, this->Up.end());
@@ -197,7 +231,7 @@ private:
   const double NoiseFactor;
   IndexSet Seen;
   std::vector<Index> Near;
-  std::vector<float> Up, Down;
+  std::vector<float> Differences, Up, Down; // of the edges in `Near`
 };
 }
 
@@ -215,6 +249,10 @@ std::vector<double> QuietAngles(const Mesh& mesh, const Connectivity& connectivi
         angles[i] = listener.QuietAngle(edges[i]);
       }
     });
-  return finished ? angles : std::vector<double>();
+  if (!finished)
+  {
+    return {};
+  }
+  return angles;
 }
 }

@@ -61,8 +61,12 @@ public:
     Index parent = this->Parents[t].load(std::memory_order_relaxed);
     while (parent != t)
     {
-      // Halves the way for whoever comes next; if another thread did, that is as well.
       const Index beyond = this->Parents[parent].load(std::memory_order_relaxed);
+      if (beyond == parent)
+      {
+        return parent;
+      }
+      // Halves the way for whoever comes next; if another thread did, that is as well.
       this->Parents[t].compare_exchange_weak(parent, beyond, std::memory_order_relaxed);
       t = beyond;
       parent = this->Parents[t].load(std::memory_order_relaxed);
@@ -150,41 +154,52 @@ std::vector<SurfaceMeasures> Measure(
     {
       const Index id = ids[first + i];
       const Index start = i;
-      double area = measures[id].Area;
+      SurfaceMeasures& own = measures[id];
+      own.First = own.Triangles == 0 ? first + i : own.First;
+      double area = own.Area;
       for (; i < size && ids[first + i] == id; ++i)
       {
         area += areas[i];
       }
-      measures[id].Area = area;
-      measures[id].Triangles += i - start;
+      own.Area = area;
+      own.Triangles += i - start;
     }
   }
   return measures;
 }
 
-/// Numbers the surfaces anew, the largest first.
-void SortByArea(Surfaces& surfaces)
+void Renumber(const std::vector<Index>& numbers, std::vector<Index>& ids)
 {
-  std::vector<Index> byArea(surfaces.Measures.size());
-  std::iota(byArea.begin(), byArea.end(), 0);
-  std::stable_sort(byArea.begin(), byArea.end(),
-    [&](Index a, Index b) { return surfaces.Measures[a].Area > surfaces.Measures[b].Area; });
-  std::vector<Index> rank(byArea.size());
-  std::vector<SurfaceMeasures> sorted;
-  for (std::size_t i = 0; i < byArea.size(); ++i)
-  {
-    rank[byArea[i]] = static_cast<Index>(i);
-    sorted.push_back(surfaces.Measures[byArea[i]]);
-  }
-  ParallelFor(static_cast<Index>(surfaces.Ids.size()),
+  ParallelFor(static_cast<Index>(ids.size()),
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)
       {
-        surfaces.Ids[t] = rank[surfaces.Ids[t]];
+        ids[t] = numbers[ids[t]];
       }
     });
-  surfaces.Measures = std::move(sorted);
+}
+
+/// Measures the surfaces and numbers them anew, the largest first.
+void SortByArea(const Mesh& mesh, std::size_t count, Surfaces& surfaces)
+{
+  std::vector<SurfaceMeasures> measures = Measure(mesh, surfaces.Ids, count);
+  std::vector<Index> byArea(count);
+  std::iota(byArea.begin(), byArea.end(), 0);
+  std::sort(byArea.begin(), byArea.end(),
+    [&](Index a, Index b)
+    {
+      return measures[a].Area != measures[b].Area ? measures[a].Area > measures[b].Area
+                                                  : measures[a].First < measures[b].First;
+    });
+  std::vector<Index> rank(count);
+  surfaces.Measures.clear();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    rank[byArea[i]] = static_cast<Index>(i);
+    surfaces.Measures.push_back(measures[byArea[i]]);
+  }
+  Renumber(rank, surfaces.Ids);
 }
 
 /// Counts the connected pieces of each surface's border, joining ends of its edges.
@@ -223,8 +238,58 @@ private:
 
   std::map<Key, Key> Parent;
 };
+}
 
-/// The border runs along features between two surfaces, and wherever the mesh ends.
+Surfaces FindSurfaces(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<FeatureEdge>& sortedFeatures)
+{
+  const std::vector<unsigned char> fences = Fences(mesh, connectivity, sortedFeatures);
+  Surfaces surfaces;
+  const Index count = NumberSurfaces(connectivity, fences, surfaces.Ids);
+  SortByArea(mesh, static_cast<std::size_t>(count), surfaces);
+  return surfaces;
+}
+
+void JoinSurfaces(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<FeatureEdge>& dropped, Surfaces& surfaces)
+{
+  std::vector<Index> joined(surfaces.Measures.size()); // with which one, or itself
+  std::iota(joined.begin(), joined.end(), 0);
+  const auto root = [&](Index id)
+  {
+    while (joined[id] != id)
+    {
+      id = joined[id] = joined[joined[id]]; // halves the way for whoever comes next
+    }
+    return id;
+  };
+  bool any = false;
+  std::vector<Index> ring;
+  for (const FeatureEdge& edge : dropped)
+  {
+    TrianglesAt(mesh, connectivity, edge, ring);
+    for (const Index around : ring)
+    {
+      const Index a = root(surfaces.Ids[ring.front()]);
+      const Index b = root(surfaces.Ids[around]);
+      joined[std::max(a, b)] = std::min(a, b);
+      any = any || a != b;
+    }
+  }
+  if (!any)
+  {
+    return;
+  }
+  Index count = 0;
+  std::vector<Index> numbers(joined.size());
+  for (Index id = 0; id < static_cast<Index>(joined.size()); ++id)
+  {
+    numbers[id] = joined[id] == id ? count++ : numbers[root(id)];
+  }
+  Renumber(numbers, surfaces.Ids);
+  SortByArea(mesh, static_cast<std::size_t>(count), surfaces);
+}
+
 void CountLoops(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<FeatureEdge>& features, Surfaces& surfaces)
 {
@@ -253,18 +318,5 @@ void CountLoops(const Mesh& mesh, const Connectivity& connectivity,
     }
   }
   loops.CountInto(surfaces.Measures);
-}
-}
-
-Surfaces FindSurfaces(const Mesh& mesh, const Connectivity& connectivity,
-  const std::vector<FeatureEdge>& sortedFeatures)
-{
-  const std::vector<unsigned char> fences = Fences(mesh, connectivity, sortedFeatures);
-  Surfaces surfaces;
-  const Index count = NumberSurfaces(connectivity, fences, surfaces.Ids);
-  surfaces.Measures = Measure(mesh, surfaces.Ids, static_cast<std::size_t>(count));
-  SortByArea(surfaces);
-  CountLoops(mesh, connectivity, sortedFeatures, surfaces);
-  return surfaces;
 }
 }

@@ -16,6 +16,7 @@ struct SurfaceMeasures
 {
   double Area = 0.0;
   Index Triangles = 0;
+  Index First = 0; ///< the lowest of them
   Index BoundaryLoops = 0; ///< connected pieces of its border with other faces and with nothing
 };
 
@@ -29,8 +30,18 @@ struct Surfaces
   std::vector<SurfaceMeasures> Measures; ///< by number
 };
 
+/// Finds them, their boundary loops not yet counted.
 ARRISFILTERS_EXPORT Surfaces FindSurfaces(const Mesh& mesh, const Connectivity& connectivity,
   const std::vector<FeatureEdge>& sortedFeatures);
+
+/// Makes of surfaces those that are found without some of their features.
+ARRISFILTERS_EXPORT void JoinSurfaces(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<FeatureEdge>& dropped, Surfaces& surfaces);
+
+/// Counts the boundary loops. The border runs along features between two surfaces, and wherever the
+/// mesh ends.
+ARRISFILTERS_EXPORT void CountLoops(const Mesh& mesh, const Connectivity& connectivity,
+  const std::vector<FeatureEdge>& features, Surfaces& surfaces);
 }
 
 #endif

@@ -80,23 +80,28 @@ double AngleDefect(const Mesh& mesh, const Connectivity& connectivity, Index ver
     : 2.0 * Pi - AngleAround(mesh, triangles, vertex);
 }
 
-/// The vertices whose folds may be enough for a defect. The normals around a vertex run round a
-/// curve on the unit sphere, as long as the angles of the folds together, and the defect is the
-/// area inside: of all curves a circle has the most. So one fold of as many as there are in a fan
-/// must be this part of that; an angle is no more than pi / sqrt(2) times the root of the
-/// difference of its normals, which takes no function to be told.
-Flags MayLack(double defect, const Mesh& mesh, const Connectivity& connectivity, const Folds& folds)
+/// What the angles around a tip lack to a full turn at least, in radians: flanks that fold by an
+/// angle across the apex lean by half of it.
+double LeastDefect(double tipAngle)
 {
-  const double least = defect * (4.0 * Pi - defect) / (0.5 * Pi * Pi * LargestFan * LargestFan);
-  Flags may(mesh.Points.size(), 0);
-  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  return 2.0 * Pi * (1.0 - std::cos(0.5 * tipAngle * Pi / 180.0));
+}
+
+/// The vertices whose folds may be enough.
+Flags MayBeTips(
+  const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, double least)
+{
+  if (folds.Least > least)
   {
-    for (int k = 0; k < 3; ++k)
+    return Flags(mesh.Points.size(), 1); // no telling
+  }
+  Flags may(mesh.Points.size(), 0);
+  for (const SteepEdge& steep : folds.Steep)
+  {
+    if (steep.Difference >= least)
     {
-      if (std::abs(folds.Differences[t][k]) >= least)
-      {
-        may[mesh.Triangles[t][k]] = may[mesh.Triangles[t][Next(k)]] = 1;
-      }
+      const Triangle& triangle = mesh.Triangles[steep.Triangle];
+      may[triangle[steep.Edge]] = may[triangle[Next(steep.Edge)]] = 1;
     }
   }
   const std::vector<Index>& offsets = connectivity.TrianglesOfVertex.Offsets;
@@ -119,11 +124,16 @@ TipKind KindAt(const Mesh& mesh, const Connectivity& connectivity, Index v)
 }
 }
 
+double LeastFoldAtTips(double tipAngle)
+{
+  const double defect = LeastDefect(tipAngle);
+  return defect * (4.0 * Pi - defect) / (0.5 * Pi * Pi * LargestFan * LargestFan);
+}
+
 std::vector<TipKind> FindTips(const Mesh& mesh, const Connectivity& connectivity,
   const Folds& folds, const Flags& edged, double tipAngle, const Monitor& monitor)
 {
-  // Flanks that fold by an angle across the apex lean by half of it.
-  const double least = 2.0 * Pi * (1.0 - std::cos(0.5 * tipAngle * Pi / 180.0));
+  const double least = LeastDefect(tipAngle);
   const auto kind = [&](Index v)
   {
     const double defect = AngleDefect(mesh, connectivity, v);
@@ -143,7 +153,7 @@ std::vector<TipKind> FindTips(const Mesh& mesh, const Connectivity& connectivity
     const bool sharp = sum > least && defect * neighbors.size() > Concentration * around;
     return sharp ? KindAt(mesh, connectivity, v) : TipKind::None;
   };
-  const Flags may = MayLack(least, mesh, connectivity, folds);
+  const Flags may = MayBeTips(mesh, connectivity, folds, LeastFoldAtTips(tipAngle));
   std::vector<TipKind> tips(mesh.Points.size(), TipKind::None);
   const bool finished = ParallelFor(mesh.VertexCount(), monitor,
     [&](Index begin, Index end)
@@ -156,6 +166,10 @@ std::vector<TipKind> FindTips(const Mesh& mesh, const Connectivity& connectivity
         }
       }
     });
-  return finished ? tips : std::vector<TipKind>();
+  if (!finished)
+  {
+    return {};
+  }
+  return tips;
 }
 }

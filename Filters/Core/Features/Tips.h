@@ -20,6 +20,13 @@ enum class TipKind : unsigned char
   In
 };
 
+/// The least Difference of the steepest fold at a tip, but where there are too many to tell. The
+/// normals around a vertex run round a curve on the unit sphere, as long as the angles of the folds
+/// together, and what the angles at the vertex lack to a full turn is the area inside: of all
+/// curves a circle has the most. So one fold of as many as there are in a fan must be this part of
+/// that; an angle is no more than pi / sqrt(2) times the root of the difference of its normals.
+ARRISFILTERS_EXPORT double LeastFoldAtTips(double tipAngle);
+
 /// For each vertex whether it is a tip: see FindFeatureCorners. Vertices that are flagged `edged`,
 /// on the boundary or on non-manifold edges are none. Empty if the monitor stopped it.
 ARRISFILTERS_EXPORT std::vector<TipKind> FindTips(const Mesh& mesh,

@@ -64,6 +64,7 @@ struct FeatureMesh
     criteria.Boundary = true;
     this->Edges = Select(mesh, criteria);
     this->Faces = FindSurfaces(mesh, this->Adjacency, this->Edges);
+    CountLoops(mesh, this->Adjacency, this->Edges, this->Faces);
     this->Network = JoinEdges(EndsOf(this->Edges), mesh.Points, { 60.0 });
   }
 };

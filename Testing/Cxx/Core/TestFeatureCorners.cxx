@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Core/Features/FeatureCorners.h"
+#include "Core/Features/Tips.h"
 
 #include "Features.h"
 
@@ -170,4 +171,18 @@ TEST(FeatureCorners, NorInNoise)
   FindFeatureCorners(plate, connectivity, FindFolds(plate, connectivity, Monitor()), CurveNetwork(),
     {}, 30.0, Monitor(), corners);
   EXPECT_TRUE(corners.empty());
+}
+
+TEST(FeatureCorners, ATipIsFoundWhateverFoldsAreKept)
+{
+  const Mesh cone = Cone(30.0, 24, 6);
+  const Connectivity connectivity(cone);
+  for (const double least : { 0.0, LeastFoldAtTips(30.0), 1.9 })
+  {
+    std::vector<FeatureCorner> corners;
+    FindFeatureCorners(cone, connectivity, FindFolds(cone, connectivity, Monitor(), least),
+      CurveNetwork(), {}, 30.0, Monitor(), corners);
+    ASSERT_EQ(corners.size(), 1u) << least;
+    EXPECT_EQ(corners[0].Vertex, 0);
+  }
 }

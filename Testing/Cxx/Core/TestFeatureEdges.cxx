@@ -192,13 +192,41 @@ TEST(FeatureEdges, AreFoundByEitherOrderOfTheirEnds)
   EXPECT_EQ(FindFeature({}, 0, 1), nullptr);
 }
 
+TEST(FeatureEdges, AreTheSameHoweverFlatTheSteepOnesMayBe)
+{
+  Mesh mesh = Noisy(Sphere(5.0, 12), 0.1);
+  Append(mesh, Wings(3));
+  Append(mesh, FlatGrid(4, 4));
+  std::swap(mesh.Triangles[40][0], mesh.Triangles[40][1]);
+  const Connectivity connectivity(mesh);
+  const Folds all = FindFolds(mesh, connectivity, Monitor());
+  const Folds steep = FindFolds(mesh, connectivity, Monitor(), DifferenceOfAngle(15.0));
+  EXPECT_LT(steep.Steep.size(), all.Steep.size());
+  const std::vector<FeatureEdge> expected = CandidateEdges(mesh, connectivity, all, 20.0);
+  const std::vector<FeatureEdge> edges = CandidateEdges(mesh, connectivity, steep, 20.0);
+  ASSERT_EQ(edges.size(), expected.size());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    EXPECT_EQ(edges[i].A, expected[i].A);
+    EXPECT_EQ(edges[i].B, expected[i].B);
+  }
+  for (Index t = 0; t < mesh.TriangleCount(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(FoldSize(mesh, connectivity, all, t, k),
+        std::abs(FoldAt(mesh, connectivity, all, t, k).Difference));
+    }
+  }
+}
+
 TEST(FeatureEdges, GiveNothingWhenStopped)
 {
   const Mesh mesh = Box(2, 2, 2);
   std::vector<FeatureEdge> edges;
   const Connectivity connectivity(mesh);
   const Monitor stopped([](double) { return false; });
-  EXPECT_TRUE(FindFolds(mesh, connectivity, stopped).Kinds.empty());
+  EXPECT_TRUE(FindFolds(mesh, connectivity, stopped).Normals.empty());
   EXPECT_FALSE(SelectFeatures(mesh, connectivity, FindFolds(mesh, connectivity, Monitor()),
     PlainCriteria(30.0), stopped, edges));
   EXPECT_TRUE(edges.empty());

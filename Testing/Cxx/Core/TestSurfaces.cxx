@@ -94,7 +94,10 @@ TEST(Surfaces, CountTheLoopsAroundThem)
   EXPECT_EQ(FeatureMesh(Tube(2.0, 40, 3, 1.0)).Faces.Measures[0].BoundaryLoops, 2);
   // Also where the boundary is no feature; and a feature that divides nothing bounds nothing.
   const Mesh fading = FadingFold(4, 12, 60.0, 8.0);
-  const Surfaces faces = FindSurfaces(fading, Connectivity(fading), FeaturesAbove(fading, 30.0));
+  const Connectivity connectivity(fading);
+  const std::vector<FeatureEdge> features = FeaturesAbove(fading, 30.0);
+  Surfaces faces = FindSurfaces(fading, connectivity, features);
+  CountLoops(fading, connectivity, features, faces);
   ASSERT_EQ(faces.Measures.size(), 1u);
   EXPECT_EQ(faces.Measures[0].BoundaryLoops, 1);
 }
@@ -102,4 +105,31 @@ TEST(Surfaces, CountTheLoopsAroundThem)
 TEST(Surfaces, OfWingsOnANonManifoldEdgeAreTheWings)
 {
   EXPECT_EQ(FeatureMesh(Wings(5)).Faces.Measures.size(), 5u);
+}
+
+TEST(Surfaces, JoinedAreThoseFoundWithoutWhatDividedThem)
+{
+  const Mesh box = Box(5, 3, 2);
+  const Connectivity connectivity(box);
+  const std::vector<FeatureEdge> all = FeaturesAbove(box, 30.0);
+  for (const std::size_t every : { 1, 7, 40, 1000 })
+  {
+    std::vector<FeatureEdge> kept;
+    std::vector<FeatureEdge> dropped;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      (i % every == every - 1 ? dropped : kept).push_back(all[i]);
+    }
+    Surfaces joined = FindSurfaces(box, connectivity, all);
+    JoinSurfaces(box, connectivity, dropped, joined);
+    const Surfaces expected = FindSurfaces(box, connectivity, kept);
+    EXPECT_EQ(joined.Ids, expected.Ids) << "every " << every << "th edge";
+    ASSERT_EQ(joined.Measures.size(), expected.Measures.size());
+    for (std::size_t i = 0; i < expected.Measures.size(); ++i)
+    {
+      EXPECT_EQ(joined.Measures[i].Area, expected.Measures[i].Area); // to the bit
+      EXPECT_EQ(joined.Measures[i].Triangles, expected.Measures[i].Triangles);
+      EXPECT_EQ(joined.Measures[i].First, expected.Measures[i].First);
+    }
+  }
 }
