@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace arris
 {
@@ -17,39 +18,48 @@ namespace
 /// Farther than this from all sides (in local scales) no sampling puts a vertex of an edge.
 constexpr double FarFromSides = 0.35;
 
-/// How much farther rounding puts it.
-constexpr double FarBlended = 0.6;
+/// How much farther rounding puts it, at a corner of three faces.
+constexpr double FarRounded = 1.0;
+
+/// On a narrow face that is rounded on either side, what is less far off than that is bent too much
+/// to speak for the face, but connects what does.
+constexpr double FarConnecting = 0.3;
 
 /// Fewer vertices than this are no face.
 constexpr std::size_t SmallestFace = 3;
 
-bool IsExplained(const Surroundings& around, const Labelling& labelling, Index vertex)
+/// How far a vertex is from the nearest of its sides, in local scales; infinite if it has none.
+double DistanceToSides(const Surroundings& around, const Labelling& labelling, Index vertex)
 {
-  const std::vector<Side>& sides = labelling.Sides[labelling.SidesOf[vertex]];
-  const double reach = (FarFromSides + FarBlended * around.Rounding) * around.Scales[vertex];
-  return std::any_of(sides.begin(), sides.end(),
-    [&](const Side& side)
-    { return std::abs(side.Surface.Distance(around.TheMesh.Points[vertex])) <= reach; });
+  double least = std::numeric_limits<double>::infinity();
+  for (const Side& side : labelling.Sides[labelling.SidesOf[vertex]])
+  {
+    least = std::min(least, std::abs(side.Surface.Distance(around.TheMesh.Points[vertex])));
+  }
+  return least / around.Scales[vertex];
 }
 }
 
 std::vector<Index> ReleaseUnexplained(const Surroundings& around, const std::vector<Index>& damaged,
   const Labelling& labelling, Flags& region)
 {
-  Flags unexplained(region.size(), 0);
+  Flags isOff(region.size(), 0), isConnecting(region.size(), 0);
   for (Index v : damaged)
   {
     // Where patches of an assembly meet, sampling takes vertices off by more, and they are no face.
     const bool common = around.Together != nullptr && around.Together->Apart.Common[v];
-    unexplained[v] = !common && !IsExplained(around, labelling, v) ? 1 : 0;
+    const double off = common ? 0.0 : DistanceToSides(around, labelling, v);
+    isOff[v] = off > FarFromSides + FarRounded * around.Rounding ? 1 : 0;
+    isConnecting[v] = off > FarFromSides + FarConnecting * around.Rounding ? 1 : 0;
   }
   std::vector<Index> released;
-  ForEachGroup(around.TheConnectivity, unexplained, 1,
+  ForEachGroup(around.TheConnectivity, isConnecting, 1,
     [&](const std::vector<Index>& group)
     {
-      if (group.size() >= SmallestFace)
+      const std::vector<Index> face = Those(group, [&](Index v) { return isOff[v] != 0; });
+      if (face.size() >= SmallestFace)
       {
-        released.insert(released.end(), group.begin(), group.end());
+        released.insert(released.end(), face.begin(), face.end());
       }
     });
   std::sort(released.begin(), released.end());
