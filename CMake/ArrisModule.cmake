@@ -63,6 +63,7 @@ set(sources
   Filters/Core/Robust/Account.cxx
   Filters/Core/Robust/Apexes.cxx
   Filters/Core/Robust/Clusters.cxx
+  Filters/Core/Robust/ConeTip.cxx
   Filters/Core/Robust/Creases.cxx
   Filters/Core/Robust/DamageFinder.cxx
   Filters/Core/Robust/Denoised.cxx

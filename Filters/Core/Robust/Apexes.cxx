@@ -3,12 +3,13 @@
 
 #include "Apexes.h"
 
+#include "ConeTip.h"
 #include "Core/Flagged.h"
-#include "Core/Predictor.h"
+#include "Mixed.h"
+#include "Placement.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace arris
 {
@@ -23,14 +24,17 @@ constexpr int NearestRing = 2;
 constexpr int FarthestRing = 3;
 constexpr std::size_t LeastPlanes = 8;
 
-/// Planes that meet pass this near to the tip (root mean square, in local scales).
+/// Planes that meet pass this near to the tip (root mean square, in local scales); those of a rough
+/// mesh less near.
 constexpr double MeetingDistance = 0.15;
+constexpr double RoughMeetingDistance = 0.4;
 
-/// The farthest a tip may be from the mesh, in local scales.
-constexpr double FarthestTip = 3.25;
+/// A blur has moved what is around the tip as well; how that fades tells by how much. It leaves no
+/// plane farther from the tip than this, in local scales: what looks like more is a dome.
+constexpr int FarthestBlurredRing = 7;
+constexpr double MostBlur = 1.0;
 
-/// The planes must close around the tip: their mean normal is no longer than this. A dent in a
-/// nearly flat face is no tip.
+/// The mean normal of planes that close around a tip is no longer than this.
 constexpr double LongestMeanNormal = 0.9;
 
 class ApexFinder
@@ -63,7 +67,7 @@ public:
     for (std::size_t next = 0; next < reached.size(); ++next)
     {
       const Index v = reached[next];
-      if (this->Ring[v] == FarthestRing)
+      if (this->Ring[v] == this->LastRing())
       {
         break;
       }
@@ -91,43 +95,65 @@ public:
   /// Where the planes around meet; false if they do not.
   bool FindTip(Apex& apex) const
   {
-    const Vec3& first = this->Around.TheMesh.Points[this->Members.front()];
-    const double scale = this->Around.Scales[this->Members.front()];
-    Predictor predictor(first);
-    Vec3 sum = Vec3::Zero();
-    for (Index v : this->Rim)
-    {
-      const Vec3& normal = this->Around.TheFaces.VertexNormals[v];
-      predictor.AddPlane(this->Around.TheMesh.Points[v], normal, 1.0);
-      sum += normal;
-    }
-    const double planes = static_cast<double>(this->Rim.size());
-    if (sum.norm() > LongestMeanNormal * planes)
+    const TangentPlanes planes = this->PlanesOfRim();
+    if (!Close(planes))
     {
       return false;
     }
-    apex.Tip = predictor.Position(std::numeric_limits<double>::max());
-    double squares = 0.0;
-    for (Index v : this->Rim)
-    {
-      const double off =
-        (apex.Tip - this->Around.TheMesh.Points[v]).dot(this->Around.TheFaces.VertexNormals[v]);
-      squares += off * off;
-    }
-    double least = std::numeric_limits<double>::max();
-    for (Index v : this->Members)
-    {
-      const double distance = (apex.Tip - this->Around.TheMesh.Points[v]).norm();
-      if (distance < least)
-      {
-        least = distance;
-        apex.Vertex = v;
-      }
-    }
-    return least <= FarthestTip * scale && std::sqrt(squares / planes) <= MeetingDistance * scale;
+    const ConeTip tip = this->Around.IsBlurred() ? FindBlurredConeTip(planes) : FindConeTip(planes);
+    apex.Tip = tip.Point;
+    this->PutInPlace(planes, apex);
+    const double scale = this->Around.Scales[this->Members.front()];
+    const double move = (apex.Tip - this->Around.TheMesh.Points[apex.Vertex]).norm();
+    const double misfit = Mixed(MeetingDistance, RoughMeetingDistance, this->Around.Rough.Degree);
+    return move <= LongestMoveOf(this->Around.Rounding) * scale && tip.Misfit <= misfit * scale &&
+      tip.Blur <= MostBlur * scale;
   }
 
 private:
+  int LastRing() const { return this->Around.IsBlurred() ? FarthestBlurredRing : FarthestRing; }
+
+  TangentPlanes PlanesOfRim() const
+  {
+    TangentPlanes planes;
+    for (Index v : this->Rim)
+    {
+      planes.Points.push_back(this->Around.TheMesh.Points[v]);
+      planes.Normals.push_back(this->Around.TheFaces.VertexNormals[v]);
+    }
+    return planes;
+  }
+
+  /// The nearest vertex goes to the tip, the others on the cone if a blur has moved them.
+  void PutInPlace(const TangentPlanes& planes, Apex& apex) const
+  {
+    double least = std::numeric_limits<double>::max();
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < this->Members.size(); ++i)
+    {
+      const Vec3& point = this->Around.TheMesh.Points[this->Members[i]];
+      apex.Places.push_back(this->Around.IsBlurred() ? OnCone(planes, apex.Tip, point) : point);
+      if ((apex.Tip - point).norm() < least)
+      {
+        least = (apex.Tip - point).norm();
+        nearest = i;
+      }
+    }
+    apex.Vertex = this->Members[nearest];
+    apex.Places[nearest] = apex.Tip;
+  }
+
+  /// Whether the planes close around a tip. Around a dent in a nearly flat face they do not.
+  static bool Close(const TangentPlanes& planes)
+  {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& normal : planes.Normals)
+    {
+      sum += normal;
+    }
+    return sum.norm() <= LongestMeanNormal * static_cast<double>(planes.Normals.size());
+  }
+
   const Surroundings& Around;
   const Flags& Region;
   std::vector<int> Ring; // edges away from the members; -1 for what is not reached
@@ -143,7 +169,7 @@ std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region)
   ForEachGroup(around.TheConnectivity, region, 1,
     [&](const std::vector<Index>& members)
     {
-      Apex apex{ NoIndex, Vec3::Zero(), members };
+      Apex apex{ NoIndex, Vec3::Zero(), members, {} };
       if (finder.Gather(members) && finder.FindTip(apex))
       {
         apexes.push_back(std::move(apex));

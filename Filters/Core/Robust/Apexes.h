@@ -17,7 +17,9 @@ struct Apex
 {
   Index Vertex; ///< the one nearest to the tip, which goes there
   Vec3 Tip;
-  std::vector<Index> Members; ///< the vertices around, which stay: only the last of a cone is lost
+  std::vector<Index> Members; ///< the vertices around, with this one
+  std::vector<Vec3>
+    Places; ///< where they belong: where they are, if only the last of a cone is lost
 };
 
 ARRISFILTERS_EXPORT std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region);

@@ -15,9 +15,6 @@ namespace arris
 {
 namespace
 {
-/// The farthest a vertex may be moved, in local scales: farther away no sampling has taken it from.
-constexpr double LongestMove = 3.25;
-
 /// A vertex this near to its faces is right already, and keeps every bit; in local scales.
 constexpr double LeastMove = 0.003;
 }
@@ -207,7 +204,7 @@ void Placement::Place(Index vertex)
   {
     const Vec3 point = this->OnSheets(vertex, x);
     const double move = (point - x).norm() / this->Scales[vertex];
-    if (move > LongestMove)
+    if (move > this->Reach)
     {
       sheets.clear();
       this->TooFar[this->TheLabelling.SidesOf[vertex]] = 1;
@@ -221,7 +218,7 @@ void Placement::Place(Index vertex)
 
 bool Placement::IsWithinReach(Index vertex, const Vec3& point) const
 {
-  return (point - this->TheMesh.Points[vertex]).norm() <= LongestMove * this->Scales[vertex];
+  return (point - this->TheMesh.Points[vertex]).norm() <= this->Reach * this->Scales[vertex];
 }
 
 Vec3 Placement::Held(Index vertex, const Vec3& target) const

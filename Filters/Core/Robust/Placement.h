@@ -10,6 +10,7 @@
 
 #include "Core/FreeBoundary.h"
 #include "Core/Geometry.h"
+#include "Mixed.h"
 #include "Ridge.h"
 
 #include "ArrisFiltersModule.h" // for the export macro
@@ -24,6 +25,13 @@ double ShapeQuality(const Corners& corners, const Vec3& areaVector, const Vec3& 
 inline double ShapeQuality(const Corners& corners, const Vec3& expected)
 {
   return ShapeQuality(corners, corners.AreaVector(), expected);
+}
+
+/// The farthest a vertex may be moved, in local scales: farther away no sampling has taken it from;
+/// but a blur takes more off an acute edge.
+inline double LongestMoveOf(double rounding)
+{
+  return Mixed(3.25, 4.5, rounding);
 }
 
 /// Better than this a triangle need not become.
@@ -45,6 +53,9 @@ public:
     const Index damaged = this->TheLabelling.SidesOf[vertex];
     return this->Sheets[damaged].empty() && !this->Pinned[damaged] && !this->GivenBack[damaged];
   }
+
+  /// Lets vertices be moved this far, in local scales.
+  void SetReach(double reach) { this->Reach = reach; }
 
   /// Keeps what an earlier pass has placed, and this one need not, where it is (see Settled.h).
   void SetSettled(Flags settled) { this->SettledVertices = std::move(settled); }
@@ -114,7 +125,7 @@ public:
     return this->Pinned[this->TheLabelling.SidesOf[vertex]] != 0;
   }
 
-  /// Whether sampling can have taken a vertex away from this point.
+  /// Whether a vertex may be moved to this point.
   bool IsWithinReach(Index vertex, const Vec3& point) const;
 
   /// Puts a damaged vertex at a point of these sheets; with none it is given back.
@@ -160,6 +171,7 @@ private:
   const Connectivity& TheConnectivity;
   const Labelling& TheLabelling;
   const std::vector<double>& Scales;
+  double Reach = LongestMoveOf(0.0); // in local scales
   std::vector<Index> FaceLabels;
   std::vector<Vec3> Points;
   std::vector<std::vector<const Sheet*>> Sheets;

@@ -311,6 +311,7 @@ private:
   {
     Placement placement(
       mesh.Now, mesh.TheConnectivity, mesh.Labels, mesh.Scales, std::move(ridge.FaceLabels));
+    placement.SetReach(LongestMoveOf(this->Result.Rounding));
     placement.SetSettled(std::move(this->Stays.Vertices));
     placement.SetJunctions(InsideJunctions(mesh.Now, mesh.TheConnectivity));
     placement.SetWalls(FindWalls(mesh.Before, mesh.TheConnectivity, mesh.Region, mesh.Scales));
@@ -323,9 +324,9 @@ private:
       });
     for (const Apex& apex : apexes)
     {
-      for (Index v : apex.Members)
+      for (std::size_t i = 0; i < apex.Members.size(); ++i)
       {
-        placement.Pin(v, v == apex.Vertex ? apex.Tip : mesh.Now.Points[v]);
+        placement.Pin(apex.Members[i], apex.Places[i]);
       }
     }
     const std::vector<Vec3> wanted = Mend(mesh, damaged, this->HowToMend(), placement);

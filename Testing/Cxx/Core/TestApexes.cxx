@@ -46,8 +46,8 @@ Mesh BluntCone(Index rings, Index sectors, double slope)
   return Rings(rings, sectors, [slope](double r) { return -slope * std::max(r, 0.7); });
 }
 
-/// The tips that there are if these vertices are damaged.
-std::vector<Apex> Find(const Mesh& mesh, const std::vector<Index>& damaged)
+/// The tips that there are if these vertices are damaged, and all is rounded so far (0 to 1).
+std::vector<Apex> Find(const Mesh& mesh, const std::vector<Index>& damaged, double rounding = 0.0)
 {
   const Connectivity connectivity(mesh);
   const Faces faces(mesh, connectivity, 1.0);
@@ -58,7 +58,7 @@ std::vector<Apex> Find(const Mesh& mesh, const std::vector<Index>& damaged)
   {
     region[v] = 1;
   }
-  return FindApexes({ mesh, connectivity, faces, scales, flatness, 0.0, {}, nullptr }, region);
+  return FindApexes({ mesh, connectivity, faces, scales, flatness, rounding, {}, nullptr }, region);
 }
 
 std::vector<Index> FirstVertices(Index count)
@@ -82,6 +82,35 @@ TEST(Apexes, IsWhereThePlanesAroundMeet)
   EXPECT_LT(apexes[0].Tip.norm(), 1e-9); // all of its planes go through the origin
   EXPECT_EQ(apexes[0].Vertex, 0);
   EXPECT_EQ(apexes[0].Members, TipAndItsRing);
+}
+
+TEST(Apexes, StayWhereTheyAreAroundTheVertexThatGoesToTheTip)
+{
+  const Mesh cone = BluntCone(6, Sectors, 1.0);
+  const auto apexes = Find(cone, TipAndItsRing);
+  ASSERT_EQ(apexes.size(), 1u);
+  EXPECT_EQ(apexes[0].Places[0], apexes[0].Tip);
+  for (std::size_t i = 1; i < apexes[0].Members.size(); ++i)
+  {
+    EXPECT_EQ(apexes[0].Places[i], cone.Points[apexes[0].Members[i]]);
+  }
+}
+
+// A hyperboloid comes to a cone as a blurred cone does: by the distance to the tip.
+TEST(Apexes, AreFoundThroughABlurAndAllPutOnTheCone)
+{
+  constexpr Index Damaged = 3; // rings
+  const Mesh blurred = Rings(16, Sectors, [](double r) { return -std::sqrt(r * r + 1.0); });
+  const auto apexes = Find(blurred, FirstVertices(1 + Damaged * Sectors), 1.0);
+  ASSERT_EQ(apexes.size(), 1u);
+  EXPECT_LT(apexes[0].Tip.norm(), 0.1);
+  const auto offCone = [](const Vec3& point)
+  { return std::abs(point.z() + std::hypot(point.x(), point.y())); };
+  for (std::size_t i = 1; i < 1 + 2 * Sectors; ++i) // beyond, it fades
+  {
+    const Vec3& before = blurred.Points[apexes[0].Members[i]];
+    EXPECT_LT(offCone(apexes[0].Places[i]), 0.4 * offCone(before)) << "vertex " << i;
+  }
 }
 
 TEST(Apexes, HasALabelOfItsOwnAndNoSides)
