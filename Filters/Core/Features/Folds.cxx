@@ -168,6 +168,15 @@ bool MayBeNonManifold(const Connectivity& connectivity, const Triangle& triangle
   return connectivity.OnBoundary[triangle[k]] && connectivity.OnBoundary[triangle[Next(k)]];
 }
 
+/// The size of the fold of edge k of `t` and one other triangle.
+float ManifoldSize(const Mesh& mesh, const Normals& normals, Index t, int k, Index other)
+{
+  const Triangle& triangle = mesh.Triangles[t];
+  const Triangle& neighbor = mesh.Triangles[other];
+  const bool alike = neighbor[Next(CornerOf(neighbor, triangle[k]))] != triangle[Next(k)];
+  return DifferenceOf(normals[t], normals[other], alike);
+}
+
 /// Adds edge k of `t` if it is steep, unless a lower triangle there does.
 void AddIfSteep(const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, Index t,
   int k, std::vector<SteepEdge>& steep)
@@ -195,7 +204,7 @@ void AddIfSteep(const Mesh& mesh, const Connectivity& connectivity, const Folds&
       return;
     }
   }
-  const float size = FoldSize(mesh, connectivity, folds, t, k);
+  const float size = ManifoldSize(mesh, folds.Normals, t, k, other);
   if (size >= folds.Least)
   {
     steep.push_back({ t, k, size });
@@ -277,13 +286,8 @@ float FoldSize(
   const Mesh& mesh, const Connectivity& connectivity, const Folds& folds, Index t, int k)
 {
   const Index other = connectivity.AcrossEdge[t][k];
-  const Triangle& triangle = mesh.Triangles[t];
-  if (other == NoIndex || MayBeNonManifold(connectivity, triangle, k))
-  {
-    return std::abs(FoldAt(mesh, connectivity, folds, t, k).Difference);
-  }
-  const Triangle& neighbor = mesh.Triangles[other];
-  const bool alike = neighbor[Next(CornerOf(neighbor, triangle[k]))] != triangle[Next(k)];
-  return DifferenceOf(folds.Normals[t], folds.Normals[other], alike);
+  return other == NoIndex || MayBeNonManifold(connectivity, mesh.Triangles[t], k)
+    ? std::abs(FoldAt(mesh, connectivity, folds, t, k).Difference)
+    : ManifoldSize(mesh, folds.Normals, t, k, other);
 }
 }

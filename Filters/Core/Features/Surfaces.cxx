@@ -3,9 +3,10 @@
 
 #include "Surfaces.h"
 
+#include "Core/SortUnique.h"
+
 #include <algorithm>
 #include <atomic>
-#include <map>
 #include <numeric>
 
 namespace arris
@@ -208,35 +209,40 @@ class LoopCounter
 public:
   void Add(Index surface, Index a, Index b)
   {
-    const Key rootA = this->Root(surface, a);
-    const Key rootB = this->Root(surface, b);
-    this->Parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
+    this->Ends.push_back({ surface, a }); // of one edge after the other
+    this->Ends.push_back({ surface, b });
   }
-  void CountInto(std::vector<SurfaceMeasures>& measures) const
+
+  void CountInto(std::vector<SurfaceMeasures>& measures)
   {
-    for (const auto& [key, parent] : this->Parent)
+    std::vector<End> ends = this->Ends;
+    SortUnique(ends);
+    std::vector<std::size_t> parents(ends.size());
+    std::iota(parents.begin(), parents.end(), 0);
+    const auto root = [&](const End& end)
     {
-      measures[key.first].BoundaryLoops += key == parent ? 1 : 0;
+      std::size_t at = std::lower_bound(ends.begin(), ends.end(), end) - ends.begin();
+      while (parents[at] != at)
+      {
+        at = parents[at] = parents[parents[at]]; // halves the way for whoever comes next
+      }
+      return at;
+    };
+    for (std::size_t i = 0; i < this->Ends.size(); i += 2)
+    {
+      const auto [low, high] = std::minmax({ root(this->Ends[i]), root(this->Ends[i + 1]) });
+      parents[high] = low;
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      measures[ends[i].first].BoundaryLoops += parents[i] == i ? 1 : 0;
     }
   }
 
 private:
-  using Key = std::pair<Index, Index>; // surface, vertex
+  using End = std::pair<Index, Index>; // surface, vertex
 
-  Key Root(Index surface, Index vertex)
-  {
-    Key key{ surface, vertex };
-    this->Parent.insert({ key, key });
-    while (this->Parent[key] != key)
-    {
-      Key& parent = this->Parent[key];
-      parent = this->Parent[parent]; // halves the way for whoever comes next
-      key = parent;
-    }
-    return key;
-  }
-
-  std::map<Key, Key> Parent;
+  std::vector<End> Ends;
 };
 }
 
