@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Arris developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Core/Features/Noise.h"
+
 #include "Features.h"
 
 #include <gtest/gtest.h>
@@ -50,6 +52,19 @@ TEST(Noise, LeavesAnEdgeThatStandsOut)
     length += std::abs(mesh.Points[edge.B].y() - mesh.Points[edge.A].y());
   }
   EXPECT_GT(length, 55.0);
+}
+
+TEST(Noise, IsTheSameWhetherAllFoldsAreKeptOrNot)
+{
+  const Mesh mesh = Noisy(Fold(20, 60, 90.0), 0.1);
+  const Connectivity connectivity(mesh);
+  const Folds kept = FindFolds(mesh, connectivity, Monitor());
+  ASSERT_FALSE(kept.Differences.empty());
+  Folds asked = kept;
+  asked.Differences.clear();
+  const std::vector<FeatureEdge> edges = CandidateEdges(mesh, connectivity, kept, 10.0);
+  EXPECT_EQ(QuietAngles(mesh, connectivity, kept, edges, NoiseFactor, Monitor()),
+    QuietAngles(mesh, connectivity, asked, edges, NoiseFactor, Monitor()));
 }
 
 TEST(Noise, IsNotSeenInPartsOfFewTriangles)
