@@ -209,8 +209,8 @@ class LoopCounter
 public:
   void Add(Index surface, Index a, Index b)
   {
-    this->Ends.push_back({ surface, a }); // of one edge after the other
-    this->Ends.push_back({ surface, b });
+    this->Ends.emplace_back(surface, a); // of one edge after the other
+    this->Ends.emplace_back(surface, b);
   }
 
   void CountInto(std::vector<SurfaceMeasures>& measures)
