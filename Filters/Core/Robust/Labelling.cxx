@@ -21,7 +21,7 @@ constexpr double FirstFit = 0.9;
 constexpr double BlurredLabelled = 0.4;
 
 /// Each round of undoing a blur takes out most of what the one before has left.
-constexpr int UnblurringRounds = 2;
+constexpr int UnblurringRounds = 4;
 
 bool FitSides(const Surroundings& around, const Samples& samples,
   const std::vector<Index>& vertices, const Monitor& monitor, Labelling& labelling)

@@ -23,8 +23,10 @@ constexpr double RoughWeightDepth = 2.5;
 constexpr std::size_t MostSides = 8;
 
 /// Where a blur has been undone there are samples near, but those in its reach (in its widths) are
-/// the less certain: sheets are fitted as widely as if none were in it.
-constexpr double UnblurredDistance = 5.0;
+/// the less certain: sheets are fitted as widely as if none were in it. Less widely where all are
+/// rough alike.
+constexpr double UnblurredDistance = 7.0;
+constexpr double RoughUnblurredDistance = 5.0;
 
 constexpr double BorderWeight = 0.3; // of samples that touch the sharp region
 constexpr double BlendedBorderWeight = 0.1;
@@ -197,7 +199,8 @@ void SideFinder::GatherBeyond(Index vertex, double radius)
 SideFinder::FitWindow SideFinder::WindowFrom(double nearest, double scale) const
 {
   const double roughness = this->Around.Rough.Degree;
-  const double distance = std::max(nearest, UnblurredDistance * this->From.BlurWidth * scale);
+  const double uncertain = Mixed(UnblurredDistance, RoughUnblurredDistance, roughness);
+  const double distance = std::max(nearest, uncertain * this->From.BlurWidth * scale);
   return { distance + Mixed(SampleDepth, RoughSampleDepth, roughness) * scale,
     distance + Mixed(WeightDepth, RoughWeightDepth, roughness) * scale };
 }

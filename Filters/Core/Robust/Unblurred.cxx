@@ -3,6 +3,7 @@
 
 #include "Unblurred.h"
 
+#include "Mixed.h"
 #include "Spread.h"
 
 #include <algorithm>
@@ -17,6 +18,10 @@ namespace
 constexpr double Reach = 5.0; // an acute edge's blur still moves what is this far beyond the region
 constexpr double MostCorrection = 0.15; // more is known too badly to be fitted to
 constexpr double CorrectionScale = 0.05; // at which a sample's weight falls to 1/e
+
+// The same where roughness spoils what is farther from the edge as much.
+constexpr double RoughMostCorrection = 0.6;
+constexpr double RoughCorrectionScale = 0.2;
 
 // A vertex outside the region is explained by the solid near it if it lies on its surface (in local
 // scales) and faces like it (the cosine).
@@ -81,6 +86,8 @@ Unblurred::Unblurred(const Surroundings& around, const Samples& blurred,
   , ThePatches(blurred.ThePatches)
   , Width(width)
 {
+  const double mostCorrection = Mixed(MostCorrection, RoughMostCorrection, around.Rough.Degree);
+  const double correctionScale = Mixed(CorrectionScale, RoughCorrectionScale, around.Rough.Degree);
   const Patches& patches = blurred.ThePatches;
   std::vector<Index> pieceOfPatch(patches.PatchCount, NoIndex);
   for (std::size_t v = 0; v < patches.PatchOf.size(); ++v)
@@ -108,7 +115,7 @@ Unblurred::Unblurred(const Surroundings& around, const Samples& blurred,
       // It has to lie on the sheet that is active there.
       const Side* side = labelling.SideAt(static_cast<Index>(v));
       if (side == nullptr || side->Surface.Distance(x) != sharp.Distance ||
-        std::abs(correction) > MostCorrection)
+        std::abs(correction) > mostCorrection)
       {
         continue;
       }
@@ -122,7 +129,7 @@ Unblurred::Unblurred(const Surroundings& around, const Samples& blurred,
       continue;
     }
     this->Points[v] = x + (off - sharp.Distance) * sharp.Normal;
-    const double distrust = correction / CorrectionScale;
+    const double distrust = correction / correctionScale;
     this->Flatness[v] = FlatnessScale * distrust * distrust;
   }
 }
