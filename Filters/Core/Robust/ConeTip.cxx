@@ -5,6 +5,8 @@
 
 #include "Core/Predictor.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
