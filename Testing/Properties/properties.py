@@ -32,13 +32,13 @@ def must_hold(method, finding):
     return finding in NEVER or (finding in DAMAGE and method == "robust")
 
 
-def random_mesh(number):
+def random_mesh(number, samplings=solids.SAMPLINGS, samples=SAMPLES):
     """The solid, mesh, sampling and cell width of a number."""
     rng = np.random.default_rng(number)
     while True:
         solid = solids.random_solid(rng)
-        sampling = str(rng.choice(solids.SAMPLINGS))
-        mesh, cell = solids.sample(rng, solid, sampling, int(rng.integers(*SAMPLES)))
+        sampling = str(rng.choice(samplings))
+        mesh, cell = solids.sample(rng, solid, sampling, int(rng.integers(*samples)))
         if mesh is not None:
             return solid, mesh, sampling, cell
 
@@ -93,7 +93,9 @@ def run(options):
     numbers = range(options.first, options.first + options.count)
     methods = options.methods.split(",")
     for number in numbers:
-        solid, mesh, sampling, cell = random_mesh(number)
+        solid, mesh, sampling, cell = random_mesh(
+            number, options.samplings.split(","), options.samples
+        )
         triangles += mesh.GetNumberOfPolys()
         vertices += mesh.GetNumberOfPoints()
         for method in methods:
@@ -124,6 +126,19 @@ def main():
     parser.add_argument("--first", type=int, default=0, help="number of the first mesh")
     parser.add_argument("--count", type=int, default=2000, help="how many meshes")
     parser.add_argument("--methods", default="robust,paper")
+    parser.add_argument(
+        "--samplings",
+        default=",".join(solids.SAMPLINGS),
+        help="to choose among; on request also " + " and ".join(solids.BLURRED_SAMPLINGS),
+    )
+    parser.add_argument(
+        "--samples",
+        type=int,
+        nargs=2,
+        default=SAMPLES,
+        metavar=("LEAST", "LESS_THAN"),
+        help="along each side of the grid",
+    )
     parser.add_argument("--keep", type=Path, help="folder for the meshes that break a promise")
     parser.add_argument(
         "--allow",

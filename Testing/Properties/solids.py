@@ -14,6 +14,11 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkQuadricDecimation
 
 SAMPLINGS = ("contour", "jittered", "decimated", "blurred", "segmented", "noisy")
+# On request, so that the numbers of the meshes above stay theirs: a blur of any width that leaves edges to be
+# found, and noise on top, as in CT.
+BLURRED_SAMPLINGS = ("softened", "scanned")
+BLUR_WIDTHS = (0.3, 2.0)  # in cells
+NOISE = {"noisy": 0.1, "scanned": 0.05}  # in cells
 
 
 class Solid:
@@ -138,7 +143,7 @@ def triangles_of(mesh):
 
 
 def _blurred(values, sigma):
-    reach = int(np.ceil(3 * sigma))
+    reach = min(int(np.ceil(3 * sigma)), (len(values) - 1) // 2)
     weights = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
     weights /= weights.sum()
     for axis in range(3):
@@ -179,6 +184,8 @@ def sample(rng, solid, sampling, samples):
     values = -solid.value(np.stack([x, y, z], axis=-1) + offset)
     if sampling == "blurred":
         values = _blurred(values, 0.8)
+    elif sampling in BLURRED_SAMPLINGS:
+        values = _blurred(values, rng.uniform(*BLUR_WIDTHS))
     elif sampling == "segmented":
         values = np.where(values > 0, 0.5, -0.5)
     mesh = _contour(values, axis, offset)
@@ -195,8 +202,8 @@ def sample(rng, solid, sampling, samples):
     if sampling == "jittered":
         moves = rng.uniform(-0.2, 0.2, points.shape) * cell
         points = points + moves - (moves * normals).sum(axis=1)[:, None] * normals
-    elif sampling == "noisy":
-        points = points + rng.normal(0.0, 0.1 * cell, len(points))[:, None] * normals
+    elif sampling in NOISE:
+        points = points + rng.normal(0.0, NOISE[sampling] * cell, len(points))[:, None] * normals
     if rng.random() < 0.5:
         points = points.astype(np.float32)
     return polydata(points, triangles), cell
