@@ -132,10 +132,12 @@ void Sheet::FitPlane(Fitting& fitting)
   const std::vector<SheetSample>& samples = fitting.Samples;
   const std::vector<double>& weights = fitting.Weights;
   double sum = 0.0;
+  int counting = 0; // one that outweighs all others takes them for outliers
   Vec3 mean = Vec3::Zero();
   Vec3 outward = Vec3::Zero();
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
+    counting += weights[i] > 0.0 ? 1 : 0;
     sum += weights[i];
     mean += weights[i] * samples[i].Position;
     outward += weights[i] * samples[i].Normal;
@@ -151,11 +153,12 @@ void Sheet::FitPlane(Fitting& fitting)
     const Vec3 d = samples[i].Position - mean;
     covariance += weights[i] * d * d.transpose();
   }
-  // Samples in a row, or fewer than three, leave the plane free to turn: their normals hold it.
+  // Samples in a row, or fewer than three that count, leave the plane free to turn: their normals
+  // hold it.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   constexpr double Row = 1e-4;
   Vec3 normal = solver.eigenvectors().col(0);
-  if (samples.size() < 3 || solver.eigenvalues()[1] < Row * solver.eigenvalues()[2])
+  if (counting < 3 || solver.eigenvalues()[1] < Row * solver.eigenvalues()[2])
   {
     normal = outward.norm() > 0.0 ? Vec3(outward.normalized()) : Vec3(Vec3::UnitZ());
   }
