@@ -176,6 +176,7 @@ private:
     }
     std::sort(places.begin(), places.end());
     std::vector<Index> shuffled;
+    shuffled.reserve(places.size());
     for (const auto& place : places)
     {
       shuffled.push_back(items[place.second]);
