@@ -71,6 +71,7 @@ set(sources
   Filters/Core/Robust/EdgeFlips.cxx
   Filters/Core/Robust/Faces.cxx
   Filters/Core/Robust/FanWorth.cxx
+  Filters/Core/Robust/FarFromRidge.cxx
   Filters/Core/Robust/FineBends.cxx
   Filters/Core/Robust/GiveBack.cxx
   Filters/Core/Robust/Junctions.cxx

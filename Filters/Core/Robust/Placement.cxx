@@ -31,6 +31,7 @@ Placement::Placement(const Mesh& mesh, const Connectivity& connectivity, const L
   , Pinned(labelling.Sides.size(), 0)
   , TooFar(labelling.Sides.size(), 0)
   , GivenBack(labelling.Sides.size(), 0)
+  , Left(labelling.Sides.size(), 0)
   , OnCurve(labelling.Sides.size(), 0)
   , Walls(labelling.Sides.size())
 {
@@ -184,6 +185,7 @@ void Placement::TakeVertex(Index vertex, const Placement& other)
     this->Sheets[damaged] = other.Sheets[damaged];
     this->TooFar[damaged] = other.TooFar[damaged];
     this->GivenBack[damaged] = other.GivenBack[damaged];
+    this->Left[damaged] = other.Left[damaged];
     this->OnCurve[damaged] = other.OnCurve[damaged];
   }
 }
@@ -200,6 +202,7 @@ void Placement::Place(Index vertex)
   this->Points[vertex] = x;
   this->TooFar[this->TheLabelling.SidesOf[vertex]] = 0;
   this->GivenBack[this->TheLabelling.SidesOf[vertex]] = 0;
+  this->Left[this->TheLabelling.SidesOf[vertex]] = 0;
   if (!sheets.empty())
   {
     const Vec3 point = this->OnSheets(vertex, x);

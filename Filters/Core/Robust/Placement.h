@@ -51,7 +51,8 @@ public:
   bool IsLost(Index vertex) const
   {
     const Index damaged = this->TheLabelling.SidesOf[vertex];
-    return this->Sheets[damaged].empty() && !this->Pinned[damaged] && !this->GivenBack[damaged];
+    return this->Sheets[damaged].empty() && !this->Pinned[damaged] && !this->GivenBack[damaged] &&
+      !this->Left[damaged];
   }
 
   /// Lets vertices be moved this far, in local scales.
@@ -134,7 +135,16 @@ public:
     const Index damaged = this->TheLabelling.SidesOf[vertex];
     this->Points[vertex] = point;
     this->GivenBack[damaged] = sheets.empty() ? 1 : 0;
+    this->Left[damaged] = 0;
     this->Sheets[damaged] = std::move(sheets);
+  }
+
+  /// Leaves a damaged vertex where it is, until it is placed again.
+  void Leave(Index vertex)
+  {
+    this->Put(vertex, this->TheMesh.Points[vertex], {});
+    this->GivenBack[this->TheLabelling.SidesOf[vertex]] = 0;
+    this->Left[this->TheLabelling.SidesOf[vertex]] = 1;
   }
 
   /// Takes a vertex over from another placement of the same labelled mesh, but not the labels
@@ -178,6 +188,7 @@ private:
   Flags Pinned; // of the damaged vertices, as Sheets
   Flags TooFar; // the same
   Flags GivenBack; // the same
+  Flags Left; // the same
   Flags OnCurve; // the same
   std::vector<std::shared_ptr<const Sheet>> Walls; // the same; null where there is none
   Flags InsideJunctions; // of all vertices; empty if there are none

@@ -11,6 +11,7 @@
 #include "DamageFinder.h"
 #include "Denoised.h"
 #include "EdgeFlips.h"
+#include "FarFromRidge.h"
 #include "FineBends.h"
 #include "Junctions.h"
 #include "Labelled.h"
@@ -299,6 +300,11 @@ private:
     {
       region[this->WholeOf(v)] |= this->Region[v];
     }
+    for (std::size_t v = count; v < ridge.OnRidge.size(); ++v)
+    {
+      ridge.OnRidge[this->WholeOf(v)] |= ridge.OnRidge[v];
+    }
+    ridge.OnRidge.resize(count);
     const Labelling joined = JoinParts(this->Together->Apart, count, ofParts);
     const Mesh& before = this->Together->TheMesh;
     this->Sharpen({ before, now, this->IsRough() ? before : now, this->Together->TheConnectivity,
@@ -322,6 +328,10 @@ private:
         std::for_each(
           damaged.begin() + begin, damaged.begin() + end, [&](Index v) { placement.Place(v); });
       });
+    if (!this->IsMovedAllOver())
+    {
+      LeaveFarFromRidge(mesh.TheConnectivity, ridge.OnRidge, damaged, placement);
+    }
     for (const Apex& apex : apexes)
     {
       for (std::size_t i = 0; i < apex.Members.size(); ++i)
