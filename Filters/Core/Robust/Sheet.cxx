@@ -31,6 +31,10 @@ constexpr std::size_t LeastCurvedSamples = 9;
 /// Tukey's biweight: no weight beyond this many deviations.
 constexpr double TukeyCut = 4.685;
 
+/// A plane is not fitted again to fewer samples: one that outweighs all others takes them for
+/// outliers, and what is left would turn with its rounding.
+constexpr std::size_t LeastPlaneSamples = 3;
+
 /// Residuals under this (in scales) are never outliers.
 constexpr double LeastDeviation = 0.0005;
 
@@ -73,6 +77,12 @@ struct Sheet::Fitting
     }
   }
 
+  std::size_t CountingSamples() const
+  {
+    return static_cast<std::size_t>(std::count_if(
+      this->Weights.begin(), this->Weights.end(), [](double weight) { return weight > 0.0; }));
+  }
+
   const std::vector<SheetSample>& Samples;
   std::vector<double> Weights;
   std::vector<double> Distances; ///< from the sheet as it was last measured
@@ -84,13 +94,15 @@ Sheet::Sheet(const std::vector<SheetSample>& samples, double scale, const SheetC
   : Scale(scale)
 {
   Fitting fitting(samples);
-  for (int step = 0; step < PlaneSteps; ++step)
+  this->FitPlane(fitting);
+  this->MeasureDistances(fitting);
+  for (int step = 1; step < PlaneSteps; ++step)
   {
-    this->FitPlane(fitting);
-    this->MeasureDistances(fitting);
-    if (step + 1 < PlaneSteps)
+    this->Reweight(fitting);
+    if (fitting.CountingSamples() >= LeastPlaneSamples)
     {
-      this->Reweight(fitting);
+      this->FitPlane(fitting);
+      this->MeasureDistances(fitting);
     }
   }
   const double flat = this->Residual(fitting);
@@ -132,12 +144,10 @@ void Sheet::FitPlane(Fitting& fitting)
   const std::vector<SheetSample>& samples = fitting.Samples;
   const std::vector<double>& weights = fitting.Weights;
   double sum = 0.0;
-  int counting = 0; // one that outweighs all others takes them for outliers
   Vec3 mean = Vec3::Zero();
   Vec3 outward = Vec3::Zero();
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    counting += weights[i] > 0.0 ? 1 : 0;
     sum += weights[i];
     mean += weights[i] * samples[i].Position;
     outward += weights[i] * samples[i].Normal;
@@ -153,12 +163,11 @@ void Sheet::FitPlane(Fitting& fitting)
     const Vec3 d = samples[i].Position - mean;
     covariance += weights[i] * d * d.transpose();
   }
-  // Samples in a row, or fewer than three that count, leave the plane free to turn: their normals
-  // hold it.
+  // Samples in a row leave the plane free to turn: their normals hold it.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   constexpr double Row = 1e-4;
   Vec3 normal = solver.eigenvectors().col(0);
-  if (counting < 3 || solver.eigenvalues()[1] < Row * solver.eigenvalues()[2])
+  if (solver.eigenvalues()[1] < Row * solver.eigenvalues()[2])
   {
     normal = outward.norm() > 0.0 ? Vec3(outward.normalized()) : Vec3(Vec3::UnitZ());
   }
