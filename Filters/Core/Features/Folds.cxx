@@ -199,7 +199,9 @@ void AddIfSteep(const Mesh& mesh, const Connectivity& connectivity, const Folds&
     {
       if (*std::min_element(ring.begin(), ring.end()) == t)
       {
-        steep.push_back({ t, k, FoldSize(mesh, connectivity, folds, t, k) });
+        const Triangle& triangle = mesh.Triangles[t];
+        steep.push_back(
+          { t, k, LargestDifference(mesh, folds.Normals, ring, triangle[k], triangle[Next(k)]) });
       }
       return;
     }

@@ -203,6 +203,17 @@ void SortByArea(const Mesh& mesh, std::size_t count, Surfaces& surfaces)
   Renumber(rank, surfaces.Ids);
 }
 
+/// What one of some joined things goes back to; a root is its own parent.
+template <typename Number>
+Number RootOf(Number at, std::vector<Number>& parents)
+{
+  while (parents[at] != at)
+  {
+    at = parents[at] = parents[parents[at]]; // halves the way for whoever comes next
+  }
+  return at;
+}
+
 /// Counts the connected pieces of each surface's border, joining ends of its edges.
 class LoopCounter
 {
@@ -221,12 +232,8 @@ public:
     std::iota(parents.begin(), parents.end(), 0);
     const auto root = [&](const End& end)
     {
-      std::size_t at = std::lower_bound(ends.begin(), ends.end(), end) - ends.begin();
-      while (parents[at] != at)
-      {
-        at = parents[at] = parents[parents[at]]; // halves the way for whoever comes next
-      }
-      return at;
+      return RootOf<std::size_t>(
+        std::lower_bound(ends.begin(), ends.end(), end) - ends.begin(), parents);
     };
     for (std::size_t i = 0; i < this->Ends.size(); i += 2)
     {
@@ -261,14 +268,6 @@ void JoinSurfaces(const Mesh& mesh, const Connectivity& connectivity,
 {
   std::vector<Index> joined(surfaces.Measures.size()); // with which one, or itself
   std::iota(joined.begin(), joined.end(), 0);
-  const auto root = [&](Index id)
-  {
-    while (joined[id] != id)
-    {
-      id = joined[id] = joined[joined[id]]; // halves the way for whoever comes next
-    }
-    return id;
-  };
   bool any = false;
   std::vector<Index> ring;
   for (const FeatureEdge& edge : dropped)
@@ -276,8 +275,8 @@ void JoinSurfaces(const Mesh& mesh, const Connectivity& connectivity,
     TrianglesAt(mesh, connectivity, edge, ring);
     for (const Index around : ring)
     {
-      const Index a = root(surfaces.Ids[ring.front()]);
-      const Index b = root(surfaces.Ids[around]);
+      const Index a = RootOf(surfaces.Ids[ring.front()], joined);
+      const Index b = RootOf(surfaces.Ids[around], joined);
       joined[std::max(a, b)] = std::min(a, b);
       any = any || a != b;
     }
@@ -290,7 +289,7 @@ void JoinSurfaces(const Mesh& mesh, const Connectivity& connectivity,
   std::vector<Index> numbers(joined.size());
   for (Index id = 0; id < static_cast<Index>(joined.size()); ++id)
   {
-    numbers[id] = joined[id] == id ? count++ : numbers[root(id)];
+    numbers[id] = joined[id] == id ? count++ : numbers[RootOf(id, joined)];
   }
   Renumber(numbers, surfaces.Ids);
   SortByArea(mesh, static_cast<std::size_t>(count), surfaces);

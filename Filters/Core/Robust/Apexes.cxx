@@ -146,12 +146,8 @@ private:
   /// Whether the planes close around a tip. Around a dent in a nearly flat face they do not.
   static bool Close(const TangentPlanes& planes)
   {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& normal : planes.Normals)
-    {
-      sum += normal;
-    }
-    return sum.norm() <= LongestMeanNormal * static_cast<double>(planes.Normals.size());
+    return SumOfNormals(planes).norm() <=
+      LongestMeanNormal * static_cast<double>(planes.Normals.size());
   }
 
   const Surroundings& Around;

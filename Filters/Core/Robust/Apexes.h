@@ -18,8 +18,7 @@ struct Apex
   Index Vertex; ///< the one nearest to the tip, which goes there
   Vec3 Tip;
   std::vector<Index> Members; ///< the vertices around, with this one
-  std::vector<Vec3>
-    Places; ///< where they belong: where they are, if only the last of a cone is lost
+  std::vector<Vec3> Places; ///< of these; without a blur all but the tip stay where they are
 };
 
 ARRISFILTERS_EXPORT std::vector<Apex> FindApexes(const Surroundings& around, const Flags& region);

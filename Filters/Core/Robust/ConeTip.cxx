@@ -46,6 +46,16 @@ Vec3 Around(const Vec3& axis, const Vec3& vector)
 }
 }
 
+Vec3 SumOfNormals(const TangentPlanes& planes)
+{
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& normal : planes.Normals)
+  {
+    sum += normal;
+  }
+  return sum;
+}
+
 ConeTip FindConeTip(const TangentPlanes& planes)
 {
   Predictor predictor(planes.Points.front());
@@ -85,12 +95,7 @@ Vec3 OnCone(const TangentPlanes& planes, const Vec3& tip, const Vec3& point)
 {
   constexpr int Sharpness = 16; // of a cosine's power: counts what is within some twenty degrees
   constexpr double Whole = 0.5; // up to this part of the way to the planes nothing fades
-  Vec3 axis = Vec3::Zero();
-  for (const Vec3& normal : planes.Normals)
-  {
-    axis += normal;
-  }
-  axis.normalize();
+  const Vec3 axis = SumOfNormals(planes).normalized();
   const Vec3 direction = Around(axis, point - tip);
   Vec3 normal = Vec3::Zero();
   for (std::size_t i = 0; i < planes.Points.size(); ++i)

@@ -25,6 +25,9 @@ struct TangentPlanes
   std::vector<Vec3> Normals; ///< unit
 };
 
+/// Along the axis, and the shorter the more they look all around.
+ARRISFILTERS_EXPORT Vec3 SumOfNormals(const TangentPlanes& planes);
+
 struct ConeTip
 {
   Vec3 Point;

@@ -15,8 +15,8 @@ namespace arris
 {
 namespace
 {
-/// Of the progress, what the first fit takes; the second is of few vertices. All is fitted twice
-/// more where a blur is undone.
+/// Of the progress, what the first fit takes; the second is of few vertices. All is fitted again
+/// in each round where a blur is undone.
 constexpr double FirstFit = 0.9;
 constexpr double BlurredLabelled = 0.4;
 

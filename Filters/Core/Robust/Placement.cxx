@@ -192,17 +192,18 @@ void Placement::TakeVertex(Index vertex, const Placement& other)
 
 void Placement::Place(Index vertex)
 {
-  if (this->Pinned[this->TheLabelling.SidesOf[vertex]] || this->IsSettled(vertex))
+  const Index damaged = this->TheLabelling.SidesOf[vertex];
+  if (this->Pinned[damaged] || this->IsSettled(vertex))
   {
     return;
   }
-  std::vector<const Sheet*>& sheets = this->Sheets[this->TheLabelling.SidesOf[vertex]];
+  std::vector<const Sheet*>& sheets = this->Sheets[damaged];
   this->CollectSheets(vertex);
   const Vec3& x = this->TheMesh.Points[vertex];
   this->Points[vertex] = x;
-  this->TooFar[this->TheLabelling.SidesOf[vertex]] = 0;
-  this->GivenBack[this->TheLabelling.SidesOf[vertex]] = 0;
-  this->Left[this->TheLabelling.SidesOf[vertex]] = 0;
+  this->TooFar[damaged] = 0;
+  this->GivenBack[damaged] = 0;
+  this->Left[damaged] = 0;
   if (!sheets.empty())
   {
     const Vec3 point = this->OnSheets(vertex, x);
@@ -210,7 +211,7 @@ void Placement::Place(Index vertex)
     if (move > this->Reach)
     {
       sheets.clear();
-      this->TooFar[this->TheLabelling.SidesOf[vertex]] = 1;
+      this->TooFar[damaged] = 1;
     }
     else if (move > LeastMove)
     {

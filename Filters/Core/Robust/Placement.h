@@ -142,9 +142,10 @@ public:
   /// Leaves a damaged vertex where it is, until it is placed again.
   void Leave(Index vertex)
   {
+    const Index damaged = this->TheLabelling.SidesOf[vertex];
     this->Put(vertex, this->TheMesh.Points[vertex], {});
-    this->GivenBack[this->TheLabelling.SidesOf[vertex]] = 0;
-    this->Left[this->TheLabelling.SidesOf[vertex]] = 1;
+    this->GivenBack[damaged] = 0;
+    this->Left[damaged] = 1;
   }
 
   /// Takes a vertex over from another placement of the same labelled mesh, but not the labels

@@ -114,6 +114,17 @@ private:
     return this->Together ? this->Together->Apart.WholeOf[part] : static_cast<Index>(part);
   }
 
+  /// A vertex of the whole has the flag if one of its parts has.
+  Flags FlagsOfWhole(const Flags& ofParts) const
+  {
+    Flags flags(this->WholeCount(), 0);
+    for (std::size_t part = 0; part < ofParts.size(); ++part)
+    {
+      flags[this->WholeOf(part)] |= ofParts[part];
+    }
+    return flags;
+  }
+
   /// Of the values of its parts, a vertex of the whole has the largest.
   void TellOfWhole(std::vector<double>& values) const
   {
@@ -295,16 +306,8 @@ private:
     const Mesh now{ std::vector<Vec3>(this->Work.Points.begin(), this->Work.Points.begin() + count),
       this->Together->TheMesh.Triangles };
     const std::vector<double> scales(this->Scales.begin(), this->Scales.begin() + count);
-    Flags region(count, 0);
-    for (std::size_t v = 0; v < this->Region.size(); ++v)
-    {
-      region[this->WholeOf(v)] |= this->Region[v];
-    }
-    for (std::size_t v = count; v < ridge.OnRidge.size(); ++v)
-    {
-      ridge.OnRidge[this->WholeOf(v)] |= ridge.OnRidge[v];
-    }
-    ridge.OnRidge.resize(count);
+    const Flags region = this->FlagsOfWhole(this->Region);
+    ridge.OnRidge = this->FlagsOfWhole(ridge.OnRidge);
     const Labelling joined = JoinParts(this->Together->Apart, count, ofParts);
     const Mesh& before = this->Together->TheMesh;
     this->Sharpen({ before, now, this->IsRough() ? before : now, this->Together->TheConnectivity,
